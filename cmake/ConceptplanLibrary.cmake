@@ -1,0 +1,36 @@
+# conceptplan_library(NAME [COMPONENT component] HEADERS ... SOURCES ... [PUBLIC ...] [PRIVATE ...])
+#
+# A static library conceptplan_NAME with the alias conceptplan::NAME, its public headers below
+# `include/` of the calling folder, installed and exported as its component (NAME if not given).
+function(conceptplan_library name)
+  cmake_parse_arguments(ARG "" "COMPONENT" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT ARG_COMPONENT)
+    set(ARG_COMPONENT ${name})
+  endif()
+  set(target conceptplan_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(conceptplan::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${ARG_HEADERS})
+  target_include_directories(${target} PRIVATE src)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  conceptplan_compile_options(${target})
+  install(TARGETS ${target} EXPORT conceptplan-${ARG_COMPONENT}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${ARG_COMPONENT}
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${ARG_COMPONENT})
+  set_property(GLOBAL APPEND PROPERTY CONCEPTPLAN_COMPONENTS ${ARG_COMPONENT})
+endfunction()
+
+# Warnings and sanitizers, on every target of ours.
+function(conceptplan_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+  if(CONCEPTPLAN_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(CONCEPTPLAN_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${CONCEPTPLAN_SANITIZE}
+                                             -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${CONCEPTPLAN_SANITIZE})
+  endif()
+endfunction()

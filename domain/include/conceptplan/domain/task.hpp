@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "conceptplan/domain/action.hpp"
+#include "conceptplan/domain/world.hpp"
+
+namespace conceptplan {
+
+enum class Split { kTrain, kValidation, kTest };
+enum class ObjectSet { kSeen, kUnseen };
+/// `kUnseenTask`: training tasks use other combinations of action types than test tasks do.
+enum class Combination { kAll, kUnseenTask };
+/// `kShifted`: another camera pose, lens noise, other lights and textures.
+enum class RenderDomain { kStandard, kShifted };
+
+/// One causal planning task. Source: Sec. II-B of arXiv 2310.03325.
+struct Task {
+  std::string id;               ///< unique in its dataset, e.g. "level3-000017"
+  int level = 1;                ///< 1 movement, 2 + obstacles, 3 + dyer, 4 + rotation
+  World initial;                ///< objects[target] is the target
+  ObjectState goal;             ///< what the target must become
+  ActionSequence reference;     ///< a shortest plan
+  std::uint64_t appearance = 0; ///< seed of textures, light and colour samples
+};
+
+}  // namespace conceptplan
