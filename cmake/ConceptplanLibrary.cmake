@@ -1,12 +1,9 @@
-# conceptplan_library(NAME [COMPONENT component] HEADERS ... SOURCES ... [PUBLIC ...] [PRIVATE ...])
+# conceptplan_library(NAME HEADERS ... SOURCES ... [PUBLIC ...] [PRIVATE ...])
 #
 # A static library conceptplan_NAME with the alias conceptplan::NAME, its public headers below
-# `include/` of the calling folder, installed and exported as its component (NAME if not given).
+# `include/` of the calling folder, installed and exported as the component NAME.
 function(conceptplan_library name)
-  cmake_parse_arguments(ARG "" "COMPONENT" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  if(NOT ARG_COMPONENT)
-    set(ARG_COMPONENT ${name})
-  endif()
+  cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target conceptplan_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(conceptplan::${name} ALIAS ${target})
@@ -16,10 +13,16 @@ function(conceptplan_library name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   conceptplan_compile_options(${target})
-  install(TARGETS ${target} EXPORT conceptplan-${ARG_COMPONENT}
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${ARG_COMPONENT}
-          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${ARG_COMPONENT})
-  set_property(GLOBAL APPEND PROPERTY CONCEPTPLAN_COMPONENTS ${ARG_COMPONENT})
+  install(TARGETS ${target} EXPORT conceptplan-${name}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${name})
+  set_property(GLOBAL APPEND PROPERTY CONCEPTPLAN_COMPONENTS ${name})
+  # The components that the package loads before this one.
+  foreach(library IN LISTS ARG_PUBLIC ARG_PRIVATE)
+    if(library MATCHES "^conceptplan::(.+)")
+      set_property(GLOBAL APPEND PROPERTY CONCEPTPLAN_REQUIRES_${name} ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
 endfunction()
 
 # Warnings and sanitizers, on every target of ours.
