@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "conceptplan/domain/concept.hpp"
+#include "conceptplan/domain/object.hpp"
+#include "conceptplan/domain/symbols.hpp"
+
+namespace conceptplan {
+
+/// Number of symbols of each concept.
+using ConceptCardinality = std::array<std::size_t, kNumConcepts>;
+
+/// The upright cylinder around an object, measured from depth pictures.
+struct Footprint {
+  double radius_m = 0;  ///< > 0
+  double height_m = 0;  ///< > 0
+  bool operator==(const Footprint&) const = default;
+};
+
+/// What symbols stand for in space. Given by the geometry of the workbench and measured from depth,
+/// without labels.
+struct SymbolGrounding {
+  std::vector<int> columns;  ///< of each POSITION_X symbol; column of `Cell`, >= 0
+  std::vector<int> rows;     ///< of each POSITION_Y symbol; row of `Cell`, >= 0
+  std::vector<std::vector<Footprint>> footprints;  ///< [TYPE symbol][SIZE symbol]
+  /// A person's names of the symbols, for display; no planner reads them. Empty where unnamed.
+  std::array<std::vector<std::string>, kNumConcepts> names;
+
+  /// The cell that the position symbols stand for. @pre the symbols are below their cardinality
+  Cell cell(const Symbols& symbols) const;
+
+  /// The footprint of the TYPE and SIZE symbols. @pre the symbols are below their cardinality
+  const Footprint& footprint(const Symbols& symbols) const;
+
+  /// The name of the symbol, or "COLOR 3" where it has none.
+  std::string name(Concept which, SymbolId symbol) const;
+
+  /// What is wrong with this grounding for that many symbols, one sentence each; empty if nothing.
+  std::vector<std::string> faults(const ConceptCardinality& cardinality) const;
+
+  bool operator==(const SymbolGrounding&) const = default;
+};
+
+/// The grounding in which the symbol of each value is the value's own number, names included, for
+/// a workbench of 3 x 5 cells: for programs that write symbols by hand, and for tests.
+SymbolGrounding standardGrounding();
+
+}  // namespace conceptplan

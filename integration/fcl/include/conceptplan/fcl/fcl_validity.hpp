@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "conceptplan/planners/state_validity.hpp"
+
+namespace conceptplan {
+
+struct FclValidityOptions {
+  /// Clearance that must remain between two objects, metres; > 0, since FCL is unreliable on
+  /// shapes that touch exactly.
+  double margin_m = 0.002;
+  /// Footprints count up to this share of a cell's edge; what a handle sticks out further passes
+  /// over its neighbour. In (0, 0.5).
+  double max_radius_cells = 0.48;
+};
+
+/// Validity by collision geometry: upright cylinders of the measured footprints at the centres of
+/// the cells that the position symbols stand for, against each other and the workbench's edge.
+/// FCL is asked for distances only, no contacts; what it throws becomes
+/// `Invalidity::kCheckFailed`. Thread-safe.
+class FclValidity final : public StateValidity {
+ public:
+  /// @throws std::invalid_argument if an option is out of range.
+  explicit FclValidity(const FclValidityOptions& options = {});
+
+  Verdict check(const Workbench& workbench, const SymbolGrounding& grounding, const Symbols& target,
+                std::span<const Symbols> others) const override;
+  std::array<bool, kNumConcepts> dependsOn() const override;
+
+ private:
+  FclValidityOptions options_;
+};
+
+}  // namespace conceptplan

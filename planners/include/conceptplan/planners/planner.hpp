@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "conceptplan/planners/plan_result.hpp"
+#include "conceptplan/planners/symbol_graph.hpp"
+
+namespace conceptplan {
+
+struct SearchLimits {
+  double timeout_s = 10;  ///< > 0; results depend on the machine once it strikes
+  std::size_t max_expansions = 200'000;
+  std::size_t horizon = 24;                   ///< longest plan, in actions
+  const std::atomic<bool>* cancel = nullptr;  ///< the search ends soon after it turns true
+};
+
+struct PlanQuery {
+  std::size_t top = 5;  ///< most plans to return, >= 1
+  SearchLimits limits;
+  std::uint64_t seed = 0;  ///< for planners that draw
+};
+
+/// Finds action sequences in a compiled problem. Same graph, query and options: same result, as
+/// long as no time limit strikes. Planners keep no state between calls; threads may share one.
+class Planner {
+ public:
+  virtual ~Planner() = default;
+
+  /// @throws std::invalid_argument if the query asks for no plan, or a limit is not positive.
+  PlanResult solve(const SymbolGraph& graph, const PlanQuery& query) const;
+
+ private:
+  virtual PlanResult search(const SymbolGraph& graph, const PlanQuery& query) const = 0;
+};
+
+}  // namespace conceptplan

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace conceptplan {
+
+/// Values of options as text, by name: what a scenario file or a command line holds.
+using OptionTexts = std::map<std::string, std::string>;
+
+enum class OptionType { kNumber, kInteger, kChoice };
+
+/// One option of a planner.
+struct PlannerOption {
+  std::string name;
+  OptionType type = OptionType::kNumber;
+  std::string standard;              ///< the value if none is given, as text
+  double least = 0;                  ///< for numbers
+  double most = 0;                   ///< for numbers
+  std::vector<std::string> choices;  ///< for kChoice
+  std::string summary;
+
+  /// "number", "integer" or "choice".
+  std::string typeName() const;
+  /// "[0, 1]" or "soft | hard".
+  std::string range() const;
+};
+
+/// Checked values of all options of one planner.
+class OptionValues {
+ public:
+  /// @param path stands in the faults.
+  /// @throws InputError with every unknown name, wrong type and value out of range; key is
+  /// "planner.options.NAME".
+  OptionValues(const std::vector<PlannerOption>& options, const OptionTexts& texts,
+               const std::string& path);
+
+  double number(const std::string& name) const;
+  const std::string& choice(const std::string& name) const;
+
+ private:
+  std::map<std::string, double> numbers_;
+  std::map<std::string, std::string> choices_;
+};
+
+}  // namespace conceptplan

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "conceptplan/planners/planner.hpp"
+#include "conceptplan/planners/planner_option.hpp"
+
+namespace conceptplan {
+
+/// All that is said of a planner, and how to make one.
+struct PlannerEntry {
+  std::string name;
+  std::string summary;                  ///< one line
+  std::string source;                   ///< citation
+  std::vector<std::string> guarantees;  ///< what holds of its answers
+  std::vector<PlannerOption> options;
+  std::function<std::unique_ptr<Planner>(const OptionValues&)> make;
+};
+
+/// The planners by name. A value: programs may add planners of their own to a copy.
+class PlannerRegistry {
+ public:
+  /// `belief` and `bfs`.
+  static PlannerRegistry standard();
+
+  /// @throws std::invalid_argument if the name is taken.
+  void add(PlannerEntry entry);
+
+  /// In order of addition.
+  const std::vector<PlannerEntry>& entries() const { return entries_; }
+  /// Null if there is none.
+  const PlannerEntry* find(std::string_view name) const;
+
+  /// @param path stands in the faults.
+  /// @throws InputError for an unknown planner (key "planner.name") or wrong options, all at once;
+  /// names the nearest known name.
+  std::unique_ptr<Planner> make(const std::string& name, const OptionTexts& options = {},
+                                const std::string& path = "") const;
+
+ private:
+  std::vector<PlannerEntry> entries_;
+};
+
+/// `docs/planners.md`.
+std::string toMarkdown(const PlannerRegistry& registry);
+
+/// A JSON array with name, summary, source, guarantees and options of each planner.
+std::string toJson(const PlannerRegistry& registry);
+
+}  // namespace conceptplan
