@@ -110,9 +110,6 @@ void createFolder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) failInput(path, "the folder cannot be made: " + error.message());
-  if (!std::filesystem::is_directory(path, error)) {
-    failInput(path, "expected a folder, found a file");
-  }
 }
 
 }  // namespace conceptplan
