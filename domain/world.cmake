@@ -1,17 +1,20 @@
 set(world_headers)
 foreach(header IN ITEMS
     action camera concept image input_error object object_crop symbols task workbench world
-    simulation/judgement simulation/random_stream simulation/reference_planner
-    simulation/simulator simulation/task_generator)
+    simulation/concept_set simulation/judgement simulation/random_stream
+    simulation/reference_planner simulation/simulator simulation/task_generator)
   list(APPEND world_headers include/conceptplan/domain/${header}.hpp)
 endforeach()
 
 set(world_sources
   src/action.cpp
+  src/camera.cpp
   src/concept.cpp
   src/input_error.cpp
   src/object.cpp
+  src/object_crop.cpp
   src/symbols.cpp
+  src/simulation/concept_set.cpp
   src/simulation/judgement.cpp
   src/simulation/random_stream.cpp
   src/simulation/reference_planner.cpp
