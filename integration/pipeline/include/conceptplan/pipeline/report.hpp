@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "conceptplan/domain/image.hpp"
+#include "conceptplan/domain/model/symbol_grounding.hpp"
+#include "conceptplan/domain/symbols.hpp"
+#include "conceptplan/planners/plan_result.hpp"
+
+namespace conceptplan {
+
+/// The pictures after one action of the best plan. A picture of width 0 is left out; of those that
+/// are shown only the colours are read.
+struct ReportFrames {
+  RgbdImage predicted;  ///< what the learned transition model renders
+  RgbdImage reference;  ///< what the simulator renders, where there is a ground truth
+};
+
+/// All that one page tells of one scenario, solved or not. Text is UTF-8 and escaped by the page;
+/// what is empty is left out.
+struct Report {
+  std::string title;    ///< the scenario's name
+  std::string verdict;  ///< one sentence more, e.g. whether the simulator confirms the plan
+  RgbdImage initial;    ///< with its mask; width 0 if the task was told in symbols
+  RgbdImage goal;
+  SymbolicProblem problem;              ///< what was read of the pictures
+  std::vector<std::uint8_t> instances;  ///< mask id of each object of the problem; empty: 1, 2, ...
+  SymbolGrounding grounding;            ///< names and places of the symbols
+  PlanResult result;
+  std::vector<ReportFrames> frames;  ///< one an action of the best plan, or none
+  double legality_threshold = 0;     ///< below which the planner refused actions
+  std::vector<std::pair<std::string, double>> times_ms;       ///< name, duration
+  std::vector<std::pair<std::string, std::string>> facts;     ///< e.g. planner, seed, model
+  std::vector<std::pair<std::string, std::string>> versions;  ///< of the program and libraries
+};
+
+/// One self-contained HTML page: no script, no network, pictures as data: URIs. Equal reports give
+/// equal pages.
+/// @throws std::invalid_argument if the target or the object of a rejection is not among the
+///   objects, the best plan has other than one predicted state and, if any, one pair of frames an
+///   action, or a picture's channels do not fit its size.
+std::string renderReport(const Report& report);
+
+/// Writes the page atomically. @throws as `renderReport` and `writeFileAtomically`.
+void writeReport(const std::filesystem::path& path, const Report& report);
+
+}  // namespace conceptplan

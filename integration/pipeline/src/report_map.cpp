@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "report_markup.hpp"
+#include "report_sections.hpp"
+#include "report_symbols.hpp"
+
+namespace conceptplan::report {
+namespace {
+
+constexpr int kCell = 64;    // edge of a cell of the map, in its own units
+constexpr int kMargin = 18;  // above and below, for the captions of the sides
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+Point center(const Workbench& workbench, Cell cell) {
+  return {kCell * (cell.x + 0.5), kMargin + kCell * (workbench.rows - 1 - cell.y + 0.5)};
+}
+
+std::string attribute(const char* name, double value) {
+  return std::string(" ") + name + "=\"" + decimal(value, 1) + "\"";
+}
+
+std::string text(Point at, const std::string& content, bool quiet = false) {
+  return "<text" + std::string(quiet ? " class=\"quiet\"" : "") + attribute("x", at.x) +
+         attribute("y", at.y) + ">" + content + "</text>";
+}
+
+std::string cells(const Workbench& workbench, int edge, int margin) {
+  std::string svg;
+  for (int y = 0; y < workbench.rows; ++y) {
+    for (int x = 0; x < workbench.columns; ++x) {
+      svg += "<rect class=\"cell\"" + attribute("x", edge * x + 0.5) +
+             attribute("y", margin + edge * y + 0.5) + attribute("width", edge) +
+             attribute("height", edge) + "/>";
+    }
+  }
+  return svg;
+}
+
+// The symbol's own colour if its name tells one.
+std::string fill(const Report& report, const SymbolBelief& belief) {
+  const SymbolId color = mostProbable(belief)[index(Concept::kColor)];
+  const std::string_view css = cssColor(symbolName(report, Concept::kColor, color));
+  return css.empty() ? " class=\"thing plain\""
+                     : " class=\"thing\" fill=\"" + std::string(css) + "\"";
+}
+
+Cell initialCell(const Report& report, std::size_t object) {
+  return report.grounding.cell(mostProbable(report.problem.initial.objects[object]));
+}
+
+std::string things(const Report& report) {
+  std::string svg;
+  const SymbolicScene& scene = report.problem.initial;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Point at = center(scene.workbench, initialCell(report, i));
+    if (i == scene.target) {
+      svg += "<circle" + fill(report, scene.objects[i]) + attribute("cx", at.x) +
+             attribute("cy", at.y) + attribute("r", 17) + "/>";
+    } else {
+      svg += "<rect" + fill(report, scene.objects[i]) + attribute("x", at.x - 19) +
+             attribute("y", at.y - 19) + attribute("width", 38) + attribute("height", 38) +
+             attribute("rx", 6) + "/>";
+    }
+  }
+  return svg;
+}
+
+std::string thingNames(const Report& report) {
+  std::string svg;
+  for (std::size_t i = 0; i < report.problem.initial.objects.size(); ++i) {
+    const Point at = center(report.problem.initial.workbench, initialCell(report, i));
+    svg += text({at.x, at.y + 28}, objectName(report, i));
+  }
+  return svg;
+}
+
+// The moves as arrows, each drawn a little to the right of its way so that going there and coming
+// back stay apart, and what is done within a cell as signs in its corner.
+std::string way(const Report& report, const Plan& plan) {
+  const Workbench& workbench = report.problem.initial.workbench;
+  std::string svg;
+  std::map<Cell, int> signs;
+  Cell from = initialCell(report, report.problem.initial.target);
+  for (std::size_t i = 0; i < plan.actions.size(); ++i) {
+    const Cell to = report.grounding.cell(plan.predicted[i]);
+    const std::string number = std::to_string(i + 1);
+    const Point a = center(workbench, from);
+    const Point b = center(workbench, to);
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (length > 0) {
+      const Point along{(b.x - a.x) / length, (b.y - a.y) / length};
+      const Point right{-along.y, along.x};
+      const auto place = [&](double forward, double sideways) {
+        return Point{a.x + along.x * forward + right.x * sideways,
+                     a.y + along.y * forward + right.y * sideways};
+      };
+      const auto line = [](Point at) { return decimal(at.x, 1) + " " + decimal(at.y, 1) + " "; };
+      svg += "<path class=\"path\" d=\"M" + line(place(8, 5)) + "L" + line(place(length - 8, 5)) +
+             "M" + line(place(length - 14, -1)) + "L" + line(place(length - 8, 5)) + "L" +
+             line(place(length - 14, 11)) + "\"/>";
+      const Point label = place(0.5 * length - 2, 13);
+      svg += text({label.x, label.y + 3}, number);
+    } else {
+      const int sign = signs[to]++;
+      const Point corner{b.x - 27 + 27 * (sign % 2), b.y - 27 + 14 * (sign / 2)};
+      svg += "<svg class=\"icon\"" + attribute("x", corner.x + 9) + attribute("y", corner.y) +
+             " width=\"12\" height=\"12\"><use href=\"#" + std::string(name(plan.actions[i])) +
+             "\"/></svg>";
+      svg += text({corner.x + 4, corner.y + 9}, number);
+    }
+    from = to;
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string workbenchMap(const Report& report) {
+  const Workbench& bench = report.problem.initial.workbench;
+  const int width = kCell * bench.columns + 1;
+  const int height = kCell * bench.rows + 2 * kMargin + 1;
+  const Point goal = center(bench, report.grounding.cell(mostProbable(report.problem.goal)));
+  std::string svg = "<svg viewBox=\"0 0 " + std::to_string(width) + " " + std::to_string(height) +
+                    "\" role=\"img\" aria-label=\"Map of the workbench from above\">" +
+                    cells(bench, kCell, kMargin);
+  svg += text({0.5 * width, kMargin - 6.0}, "far side", true);
+  svg += text({0.5 * width, height - 6.0}, "camera side", true);
+  svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) + attribute("y", goal.y - 28) +
+         attribute("width", 56) + attribute("height", 56) + attribute("rx", 8) + "/>" +
+         things(report);
+  if (!report.result.plans.empty()) svg += way(report, report.result.plans.front());
+  return svg + thingNames(report) + "</svg>";
+}
+
+std::string heatMap(const Workbench& workbench, const std::vector<std::size_t>& counts) {
+  constexpr int kEdge = 20;
+  const std::size_t most =
+      std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
+  std::string svg = "<svg viewBox=\"0 0 " + std::to_string(kEdge * workbench.columns + 1) + " " +
+                    std::to_string(kEdge * workbench.rows + 1) +
+                    "\" aria-hidden=\"true\" focusable=\"false\">" + cells(workbench, kEdge, 0);
+  for (int y = 0; y < workbench.rows; ++y) {
+    for (int x = 0; x < workbench.columns; ++x) {
+      const std::size_t count = counts[static_cast<std::size_t>(y * workbench.columns + x)];
+      if (count == 0) continue;
+      const double share = static_cast<double>(count) / static_cast<double>(most);
+      svg += "<rect class=\"heat\"" + attribute("x", kEdge * x + 0.5) +
+             attribute("y", kEdge * (workbench.rows - 1 - y) + 0.5) + attribute("width", kEdge) +
+             attribute("height", kEdge) + " fill-opacity=\"" + decimal(0.15 + 0.75 * share, 2) +
+             "\"/>";
+    }
+  }
+  return svg + "</svg>";
+}
+
+}  // namespace conceptplan::report

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "report_markup.hpp"
+#include "report_outline.hpp"
+#include "report_sections.hpp"
+#include "report_symbols.hpp"
+
+namespace conceptplan::report {
+namespace {
+
+// Told apart by most people who see colours differently; after Okabe and Ito.
+constexpr std::array<const char*, 7> kOutlineColors{"#f0e442", "#56b4e9", "#e69f00", "#00c795",
+                                                    "#ff8fc7", "#d8d8d8", "#ff7f50"};
+
+std::string picture(const RgbdImage& image, const std::string& alternative) {
+  return "<img src=\"" + dataUri(image.width, image.height, image.rgb) + "\" width=\"" +
+         std::to_string(image.width) + "\" height=\"" + std::to_string(image.height) + "\" alt=\"" +
+         alternative + "\">";
+}
+
+std::string outlineLayer(const Report& report, const RgbdImage& image) {
+  std::string svg = "<svg class=\"outline\" viewBox=\"0 0 " + std::to_string(image.width) + " " +
+                    std::to_string(image.height) + "\" aria-hidden=\"true\" focusable=\"false\">";
+  std::string labels;
+  const std::size_t count = report.problem.initial.objects.size();
+  for (const Outline& outline : outlines(image)) {
+    svg += "<path class=\"under\" d=\"" + outline.path + "\"/><path class=\"over\" stroke=\"" +
+           kOutlineColors[outline.instance % kOutlineColors.size()] + "\" d=\"" + outline.path +
+           "\"/>";
+    std::size_t object = 0;
+    while (object < count && instance(report, object) != outline.instance) ++object;
+    const std::string label =
+        object < count ? objectName(report, object) : std::to_string(outline.instance);
+    labels += "<text x=\"" + decimal(outline.center_x, 1) + "\" y=\"" +
+              decimal(std::max(outline.top - 4, 9.0), 1) + "\">" + label + "</text>";
+  }
+  return svg + labels + "</svg>";
+}
+
+std::string shown(const Report& report, const RgbdImage& image, const std::string& caption,
+                  const std::string& alternative) {
+  std::string html = "<figure class=\"card\"><div class=\"frame\">" + picture(image, alternative);
+  if (!image.mask.empty()) html += outlineLayer(report, image);
+  return html + "</div><figcaption>" + caption + "</figcaption></figure>";
+}
+
+// Peak signal-to-noise ratio of 8-bit pictures of one size.
+std::optional<double> peakSignalToNoise_dB(const RgbdImage& a, const RgbdImage& b) {
+  if (a.width != b.width || a.height != b.height) return std::nullopt;
+  double squares = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    const double difference = static_cast<double>(a.rgb[i]) - b.rgb[i];
+    squares += difference * difference;
+  }
+  return 10 * std::log10(255.0 * 255.0 * static_cast<double>(a.rgb.size()) / squares);
+}
+
+std::string framesOf(const ReportFrames& frames, const std::string& step) {
+  std::string html;
+  const auto add = [&](const RgbdImage& image, const std::string& caption) {
+    if (image.width == 0) return;
+    html += "<figure><div class=\"frame\">" + picture(image, caption + " after step " + step) +
+            "</div><figcaption>" + caption + "</figcaption></figure>";
+  };
+  add(frames.predicted, "Predicted");
+  add(frames.reference, "Simulated");
+  return html.empty() ? html : "<div class=\"frames\">" + html + "</div>";
+}
+
+// "row 2 → row 3": what the action changes of the symbols.
+std::string changes(const Report& report, const Symbols& before, const Symbols& after) {
+  std::string text;
+  for (const Concept which : kConcepts) {
+    const SymbolId from = before[index(which)];
+    const SymbolId to = after[index(which)];
+    if (from == to) continue;
+    if (!text.empty()) text += ", ";
+    text += symbolName(report, which, from) + " → " + colorKey(report, which, to) +
+            symbolName(report, which, to);
+  }
+  return text.empty() ? "nothing changes" : text;
+}
+
+std::string stepList(const Report& report, const Plan& plan) {
+  std::string html;
+  Symbols before = mostProbable(report.problem.initial.objects[report.problem.initial.target]);
+  for (std::size_t i = 0; i < plan.actions.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    html += "<li class=\"card\">";
+    std::string match;
+    if (!report.frames.empty()) {
+      const ReportFrames& frames = report.frames[i];
+      html += framesOf(frames, number);
+      if (frames.predicted.width > 0 && frames.reference.width > 0) {
+        if (const auto ratio = peakSignalToNoise_dB(frames.predicted, frames.reference)) {
+          match = "<span class=\"change\">match " + decimal(*ratio, 1) + "&nbsp;dB</span>";
+        }
+      }
+    }
+    html += "<div class=\"what\"><h3><span class=\"number\">" + number + "</span>" +
+            icon(plan.actions[i]) + words(plan.actions[i]) + "</h3><span class=\"change\">" +
+            changes(report, before, plan.predicted[i]) + "</span>" + match + "</div></li>";
+    before = plan.predicted[i];
+  }
+  return html;
+}
+
+bool comparesFrames(const Report& report) {
+  return std::any_of(report.frames.begin(), report.frames.end(), [](const ReportFrames& frames) {
+    return frames.predicted.width > 0 && frames.reference.width > 0;
+  });
+}
+
+}  // namespace
+
+std::string picturesSection(const Report& report) {
+  if (report.initial.width == 0 && report.goal.width == 0) return {};
+  std::string html =
+      "<section class=\"pictures\"><h2>The task</h2>"
+      "<p class=\"note\">The workbench as it is, and as it should be. Each instance mask is "
+      "outlined and labelled with the type that was read from it.</p>"
+      "<label class=\"switch\"><input type=\"checkbox\" checked> Outlines</label>"
+      "<div class=\"pair\">";
+  if (report.initial.width > 0) {
+    html += shown(report, report.initial, "<strong>Initial</strong>", "The workbench as it is");
+  }
+  if (report.goal.width > 0) {
+    html += shown(report, report.goal, "<strong>Goal</strong>", "The workbench as it should be");
+  }
+  return html + "</div></section>";
+}
+
+std::string planSection(const Report& report) {
+  const auto& plans = report.result.plans;
+  std::string html = "<section><h2>The plan</h2><p class=\"note\">";
+  if (plans.empty()) {
+    html += "There is none. The map shows the workbench, with the cell of the goal dashed.";
+  } else if (plans.front().actions.empty()) {
+    html += "Nothing needs to be done: the goal is reached at the start.";
+  } else if (comparesFrames(report)) {
+    html +=
+        "Each step as the learned model predicts it, beside what the simulator shows. The match "
+        "is the peak signal-to-noise ratio of the two pictures: higher is closer.";
+  } else {
+    html += "The most probable sequence of actions, step by step.";
+  }
+  html += "</p><div class=\"plan mapped\">";
+  if (plans.empty() || plans.front().actions.empty()) {
+    html += "<div></div>";
+  } else {
+    html += "<ol class=\"steps\" style=\"--step-width:" +
+            std::string(comparesFrames(report) ? "21rem" : "12rem") + "\">" +
+            stepList(report, plans.front()) + "</ol>";
+  }
+  return html + "<figure class=\"map card\">" + workbenchMap(report) +
+         "<figcaption>From above: the target is round, the dashed cell is its goal, numbers are "
+         "the steps.</figcaption></figure></div></section>";
+}
+
+}  // namespace conceptplan::report

@@ -1,0 +1,63 @@
+#include "report_symbols.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "report_markup.hpp"
+
+namespace conceptplan::report {
+
+std::string_view heading(Concept which) {
+  static constexpr std::array<std::string_view, kNumConcepts> kHeadings{
+      "Type", "Column", "Row", "Rotation", "Colour", "Size"};
+  return kHeadings[index(which)];
+}
+
+std::string symbolName(const Report& report, Concept which, SymbolId symbol) {
+  return escaped(report.grounding.name(which, symbol));
+}
+
+std::string_view cssColor(std::string_view color_name) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kColors{
+      {{"red", "#c8453b"},
+       {"yellow", "#dcb53c"},
+       {"green", "#4f9d52"},
+       {"cyan", "#45adb8"},
+       {"blue", "#446cc4"},
+       {"magenta", "#b54c9f"}}};
+  const auto found = std::find_if(kColors.begin(), kColors.end(),
+                                  [&](const auto& color) { return color.first == color_name; });
+  return found == kColors.end() ? std::string_view{} : found->second;
+}
+
+std::string colorKey(const Report& report, Concept which, SymbolId symbol) {
+  if (which != Concept::kColor) return {};
+  const std::string_view color = cssColor(symbolName(report, which, symbol));
+  if (color.empty()) return {};
+  return "<span class=\"key\" aria-hidden=\"true\" style=\"background:" + std::string(color) +
+         "\"></span>";
+}
+
+int instance(const Report& report, std::size_t object) {
+  return report.instances.empty() ? static_cast<int>(object + 1) : report.instances[object];
+}
+
+std::string objectName(const Report& report, std::size_t object) {
+  const Symbols symbols = mostProbable(report.problem.initial.objects[object]);
+  return symbolName(report, Concept::kType, symbols[index(Concept::kType)]) + " " +
+         std::to_string(instance(report, object));
+}
+
+std::string words(Action action) {
+  std::string text(name(action));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return escaped(text);
+}
+
+std::string icon(Action action) {
+  return "<svg class=\"icon\" aria-hidden=\"true\" focusable=\"false\"><use href=\"#" +
+         std::string(name(action)) + "\"/></svg>";
+}
+
+}  // namespace conceptplan::report

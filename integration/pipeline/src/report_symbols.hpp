@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "conceptplan/pipeline/report.hpp"
+
+namespace conceptplan::report {
+
+/// "Type", "Column", "Row", "Rotation", "Colour" or "Size".
+std::string_view heading(Concept which);
+
+/// What the report calls a symbol; escaped.
+std::string symbolName(const Report& report, Concept which, SymbolId symbol);
+
+/// A CSS colour for the name of a colour; empty for a name that is none.
+std::string_view cssColor(std::string_view color_name);
+
+/// A small square in the colour that the symbol is named after; empty if it is not a colour.
+std::string colorKey(const Report& report, Concept which, SymbolId symbol);
+
+/// The id of an object in the masks.
+int instance(const Report& report, std::size_t object);
+
+/// The most probable type of an object and the id of its mask, e.g. "Cup 2"; escaped.
+std::string objectName(const Report& report, std::size_t object);
+
+/// "move front"; escaped.
+std::string words(Action action);
+
+/// The sign of an action, for use beside its words.
+std::string icon(Action action);
+
+}  // namespace conceptplan::report

@@ -1,0 +1,186 @@
+#include "conceptplan/pipeline/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "integration/report/sample_report.hpp"
+
+namespace conceptplan {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t times = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+    ++times;
+  }
+  return times;
+}
+
+std::string whatIsThrownFor(const Report& report) {
+  try {
+    renderReport(report);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+// A folder of this process that vanishes with the test.
+class ReportFile : public ::testing::Test {
+ protected:
+  ReportFile() { std::filesystem::create_directories(folder_); }
+  ~ReportFile() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("conceptplan-report-" + std::to_string(::getpid()));
+};
+
+TEST(Report, HoldsEveryPicture) {
+  const Report report = sampleReport();
+  EXPECT_EQ(count(renderReport(report), "<img src=\"data:image/png;base64,"),
+            2 + 2 * report.frames.size());
+}
+
+TEST(Report, LoadsNothingFromANetwork) {
+  const std::string page = renderReport(sampleReport());
+  EXPECT_THAT(page, Not(HasSubstr("http://")));
+  EXPECT_THAT(page, Not(HasSubstr("https://")));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_FALSE(std::regex_search(page, std::regex("(src|href)=\"[^d#]")));
+}
+
+TEST(Report, FillsTheWholeTemplate) {
+  EXPECT_THAT(renderReport(sampleReport()), Not(HasSubstr("{{")));
+}
+
+TEST(Report, EscapesWhatItIsTold) {
+  Report report = sampleReport();
+  const std::string evil = "<b>\"&'</b>{{title}}";
+  report.title = evil;
+  report.verdict = evil;
+  report.result.reason = evil;
+  report.facts = {{evil, evil}};
+  report.versions = {{evil, evil}};
+  report.times_ms = {{evil, 1.0}};
+  for (auto& names : report.grounding.names) names.assign(names.size(), evil);
+  const std::string page = renderReport(report);
+  EXPECT_THAT(page, Not(HasSubstr("<b>")));
+  EXPECT_GT(count(page, "&lt;b&gt;&quot;&amp;&#39;&lt;/b&gt;{{title}}"), 10U);
+}
+
+TEST(Report, TellsConfidenceAndTheSecondGuess) {
+  Report report = sampleReport();
+  report.problem.initial.objects[0][index(Concept::kRotation)] = {0.55, 0.45, 0, 0};
+  const std::string page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("55.0&nbsp;%"));
+  EXPECT_THAT(page, HasSubstr("or 90 deg 45.0&nbsp;%"));
+}
+
+TEST(Report, GroupsRejectionsByReason) {
+  const std::string page = renderReport(sampleReport());
+  EXPECT_EQ(count(page, "<article"), 3U);
+  EXPECT_THAT(page, HasSubstr("Collision with Pot 2</h3><p>3 steps"));
+  EXPECT_THAT(page, HasSubstr("change color is not legal</h3><p>3 steps"));
+  EXPECT_THAT(page, HasSubstr("in at most 0.2&nbsp;% of the cases"));
+  EXPECT_THAT(page, HasSubstr("Beyond the workbench</h3><p>1 step "));
+}
+
+TEST(Report, ShowsATaskWithoutPicturesOrPlan) {
+  Report report = sampleReport();
+  report.initial = report.goal = {};
+  report.frames.clear();
+  report.result.plans.clear();
+  report.result.status = PlanStatus::kInfeasible;
+  report.result.reason = "No sequence of at most 24 actions reaches the goal.";
+  const std::string page = renderReport(report);
+  EXPECT_EQ(count(page, "<img"), 0U);
+  EXPECT_THAT(page, HasSubstr("infeasible"));
+  EXPECT_THAT(page, HasSubstr("No sequence of at most 24 actions reaches the goal."));
+}
+
+TEST(Report, SaysThatNothingNeedsToBeDone) {
+  Report report = sampleReport();
+  report.frames.clear();
+  report.result.plans = {Plan{{}, 0.9, 0.1, {}}};
+  EXPECT_THAT(renderReport(report), HasSubstr("Nothing needs to be done"));
+}
+
+TEST(Report, NamesObjectsByTheirMask) {
+  Report report = sampleReport();
+  report.instances = {7, 8, 9};
+  const std::string page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("Cup 7"));
+  EXPECT_THAT(page, HasSubstr("Collision with Pot 8"));
+}
+
+TEST(Report, EqualReportsGiveEqualPages) {
+  EXPECT_EQ(renderReport(sampleReport()), renderReport(sampleReport()));
+}
+
+TEST(Report, RefusesWhatDoesNotFit) {
+  Report report = sampleReport();
+  report.problem.initial.target = 3;
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("the target is object 3 of 3"));
+  report = sampleReport();
+  report.frames.pop_back();
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("6 predicted states and 5 pairs of frames"));
+  report = sampleReport();
+  report.goal.rgb.pop_back();
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("goal picture of 384 x 256 has 294911 bytes"));
+  report = sampleReport();
+  report.result.rejections[0].object = 5;
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("a rejection names object 5 of 3"));
+  report = sampleReport();
+  report.instances = {1};
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("1 mask ids for 3 objects"));
+}
+
+TEST_F(ReportFile, IsWrittenWhole) {
+  const auto path = folder_ / "report.html";
+  writeReport(path, sampleReport());
+  EXPECT_EQ(readFile(path), renderReport(sampleReport()));
+}
+
+#ifdef CONCEPTPLAN_CHROMIUM
+TEST_F(ReportFile, OpensInABrowserWithEveryPictureLoaded) {
+  const Report report = sampleReport();
+  std::string page = renderReport(report);
+  // Waits for all pictures, then leaves what it found in the document's attributes.
+  const std::string script =
+      "<script>addEventListener('load',()=>{const r=document.documentElement,"
+      "i=[...document.images];r.dataset.loaded=i.filter(p=>p.complete&&p.naturalWidth>0).length+"
+      "' of '+i.length;r.dataset.fits=r.scrollWidth<=innerWidth;"
+      "r.dataset.requests=performance.getEntriesByType('resource')"
+      ".filter(e=>!e.name.startsWith('data:')).length})</script>";
+  page.insert(page.rfind("</body>"), script);
+  writeFileAtomically(folder_ / "page.html", page);
+  const std::string command =
+      "timeout 90 " CONCEPTPLAN_CHROMIUM
+      " --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
+      " --disable-background-networking --disable-component-update --disable-sync"
+      " --window-size=500,900 --user-data-dir='" +
+      (folder_ / "profile").string() + "' --dump-dom 'file://" + (folder_ / "page.html").string() +
+      "' > '" + (folder_ / "dom.html").string() + "' 2> /dev/null < /dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  const std::string dom = readFile(folder_ / "dom.html");
+  const std::string all = std::to_string(2 + 2 * report.frames.size());
+  EXPECT_THAT(dom, HasSubstr("data-loaded=\"" + all + " of " + all + "\""));
+  EXPECT_THAT(dom, HasSubstr("data-fits=\"true\""));
+  EXPECT_THAT(dom, HasSubstr("data-requests=\"0\""));
+}
+#endif
+
+}  // namespace
+}  // namespace conceptplan
