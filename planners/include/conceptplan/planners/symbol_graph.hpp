@@ -18,7 +18,7 @@ enum class StateId : std::int32_t {};
 constexpr std::size_t index(StateId state) { return static_cast<std::size_t>(state); }
 
 /// One possible next state.
-struct Outcome {
+struct Transition {
   StateId state{};
   double probability = 0;  ///< in (0, 1]
   double cost = 0;         ///< -log probability
@@ -27,8 +27,9 @@ struct Outcome {
 struct CompileOptions {
   /// A concept that every action leaves alone with at least 1 - tolerance is frozen.
   double frozen_tolerance = 1e-3;
-  /// Outcomes below this probability are dropped and the others scaled to one.
-  double min_outcome = 1e-6;
+  /// Symbols with less than this share of a concept's most probable next symbol are dropped and
+  /// the others scaled to one.
+  double min_share = 1e-6;
 };
 
 /// Why a concept is not part of the states.
@@ -68,7 +69,7 @@ class SymbolGraph {
   double legality(StateId state, Action action) const { return legality_[edge(state, action)]; }
 
   /// Pr[Omega' | a, Omega] by falling probability, ties by state; sums to one; valid or not.
-  std::span<const Outcome> outcomes(StateId state, Action action) const;
+  std::span<const Transition> transitions(StateId state, Action action) const;
 
   /// The belief over states that a belief over symbols gives, [numStates]; frozen concepts are
   /// summed out.
@@ -94,8 +95,8 @@ class SymbolGraph {
   ConceptCardinality cardinality_{};
   std::vector<Verdict> verdicts_;
   std::vector<double> legality_;
-  std::vector<std::size_t> first_outcome_;
-  std::vector<Outcome> outcomes_;
+  std::vector<std::size_t> first_transition_;
+  std::vector<Transition> transitions_;
   std::size_t validity_checks_ = 0;
   double frozen_agreement_ = 1;
 };

@@ -1,0 +1,176 @@
+#include "conceptplan/planners/belief_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "belief_search.hpp"
+#include "conceptplan/planners/belief_update.hpp"
+#include "legality_trace.hpp"
+#include "search_guard.hpp"
+
+namespace conceptplan {
+namespace {
+
+/// States around the start whose rejections are told of when there is no plan.
+constexpr std::size_t kTracedStates = 64;
+/// For kConditional, candidates by joint probability for each plan wanted.
+constexpr std::size_t kCandidatesPerPlan = 4;
+/// Scores that differ by less are equal, and length decides.
+constexpr double kScoreResolution = 1e-12;
+
+void checkRange(const char* option, double value, double least, double most) {
+  if (!(value >= least && value <= most)) {
+    throw std::invalid_argument(std::string(option) + " is " + std::to_string(value) +
+                                ", expected a number in [" + std::to_string(least) + ", " +
+                                std::to_string(most) + "]");
+  }
+}
+
+SymbolBelief hardened(const SymbolBelief& belief) {
+  ConceptCardinality cardinality{};
+  for (std::size_t k = 0; k < kNumConcepts; ++k) cardinality[k] = belief[k].size();
+  return certain(mostProbable(belief), cardinality);
+}
+
+StateBelief withoutImprobable(StateBelief belief, double least) {
+  const double most = *std::max_element(belief.begin(), belief.end());
+  for (double& mass : belief) {
+    if (mass < least * most) mass = 0;
+  }
+  return belief;
+}
+
+StateId mostProbableState(const StateBelief& belief) {
+  return static_cast<StateId>(std::max_element(belief.begin(), belief.end()) - belief.begin());
+}
+
+void addNew(std::vector<ScoredSequence>& sequences, const std::vector<ScoredSequence>& more,
+            std::size_t most) {
+  for (const ScoredSequence& sequence : more) {
+    if (sequences.size() >= most) return;
+    const bool known =
+        std::any_of(sequences.begin(), sequences.end(),
+                    [&](const ScoredSequence& other) { return other.actions == sequence.actions; });
+    if (!known) sequences.push_back(sequence);
+  }
+}
+
+/// One problem as the planner sees it.
+struct BeliefTask {
+  const SymbolGraph& graph;
+  StateBelief start;
+  StateBelief goal;
+  double threshold;
+};
+
+Plan judged(const BeliefTask& task, const ActionSequence& actions, Ranking ranking,
+            double discount) {
+  const PlanProbability probability =
+      probabilityOf(task.graph, actions, task.start, task.goal, task.threshold);
+  Plan plan;
+  plan.actions = actions;
+  plan.probability = ranking == Ranking::kJoint ? probability.joint : probability.conditional;
+  plan.cost =
+      -std::log(plan.probability) - static_cast<double>(actions.size()) * std::log(discount);
+  StateBelief belief = task.start;
+  for (const Action action : actions) {
+    belief = propagateLegal(task.graph, belief, action, task.threshold);
+    keepValid(task.graph, belief);
+    plan.predicted.push_back(task.graph.symbols(mostProbableState(belief)));
+  }
+  return plan;
+}
+
+bool ranksBefore(const Plan& a, const Plan& b) {
+  if (std::abs(a.cost - b.cost) > kScoreResolution) return a.cost < b.cost;
+  if (a.actions.size() != b.actions.size()) return a.actions.size() < b.actions.size();
+  return a.actions < b.actions;
+}
+
+std::vector<StateId> statesAlong(const BeliefTask& task, const Plan& plan) {
+  std::vector<StateId> states{mostProbableState(task.start)};
+  for (const Symbols& symbols : plan.predicted) states.push_back(task.graph.state(symbols));
+  return states;
+}
+
+}  // namespace
+
+BeliefPlanner::BeliefPlanner(const BeliefPlannerOptions& options) : options_(options) {
+  checkRange("legality_threshold", options.legality_threshold, 0, 1);
+  checkRange("step_discount", options.step_discount, 0, 0.5);
+  checkRange("min_probability", options.min_probability, 0, 1);
+  checkRange("min_hypothesis", options.min_hypothesis, 0, 1);
+  checkRange("alternative_share", options.alternative_share, 0, 1);
+}
+
+PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
+  const SymbolBelief initial =
+      options_.hard_symbols ? hardened(graph.initialBelief()) : graph.initialBelief();
+  const SymbolBelief wanted =
+      options_.hard_symbols ? hardened(graph.problem().goal) : graph.problem().goal;
+  const BeliefTask task{graph, startBelief(graph, initial), graph.stateBelief(wanted),
+                        options_.legality_threshold};
+  const StateBelief likely_start = withoutImprobable(task.start, options_.min_hypothesis);
+  const double discount = 1 - options_.step_discount;
+  const std::string mismatch = frozenMismatch(graph);
+  const double frozen = options_.hard_symbols && !mismatch.empty() ? 0 : graph.frozenAgreement();
+
+  PlanResult result;
+  SearchGuard guard(query.limits);
+  std::vector<ScoredSequence> sequences;
+  if (frozen > 0) {
+    BeliefSearchOptions search{
+        options_.legality_threshold, discount, query.limits.horizon, query.top, 1, true,
+        options_.alternative_share};
+    if (options_.alternatives == Alternatives::kOutcomes) {
+      sequences = bestSequences(graph, likely_start, task.goal, search, guard, result.statistics);
+    }
+    search.distinct_outcomes = false;
+    search.least_share = 0;
+    search.paths_per_belief = query.top;
+    if (options_.ranking == Ranking::kConditional) search.top *= kCandidatesPerPlan;
+    if (sequences.size() < search.top) {
+      addNew(sequences,
+             bestSequences(graph, likely_start, task.goal, search, guard, result.statistics),
+             search.top);
+    }
+  }
+  for (const ScoredSequence& sequence : sequences) {
+    Plan plan = judged(task, sequence.actions, options_.ranking, discount);
+    if (plan.probability > 0) result.plans.push_back(std::move(plan));
+  }
+  std::sort(result.plans.begin(), result.plans.end(), ranksBefore);
+  if (result.plans.size() > query.top) result.plans.resize(query.top);
+
+  const StateId start = mostProbableState(task.start);
+  const std::vector<StateId> reachable = reachableStates(graph, start, options_.legality_threshold,
+                                                         query.limits.horizon, graph.numStates());
+  const bool goal_in_reach =
+      mismatch.empty() &&
+      std::find(reachable.begin(), reachable.end(), graph.mostProbableGoal()) != reachable.end();
+  const double best = result.plans.empty() ? 0 : result.plans.front().probability;
+  const std::string obstacle = mismatch.empty()
+                                   ? "no legal and valid steps lead to the goal within " +
+                                         std::to_string(query.limits.horizon) + " actions"
+                                   : mismatch;
+  if (best > 0 && (goal_in_reach || best >= options_.min_probability)) {
+    result.status = PlanStatus::kSolved;
+    result.reason = guard.reason();
+    if (!goal_in_reach) {
+      result.reason = obstacle + "; planned for a less probable reading of the pictures";
+    }
+    result.rejections =
+        traceRejections(graph, statesAlong(task, result.plans.front()), task.threshold);
+    return result;
+  }
+  result.plans.clear();
+  result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
+  result.reason = guard.stopped() ? guard.reason() : obstacle;
+  const std::size_t traced = std::min(kTracedStates, reachable.size());
+  result.rejections = traceRejections(graph, std::span(reachable).first(traced), task.threshold);
+  return result;
+}
+
+}  // namespace conceptplan

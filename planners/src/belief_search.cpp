@@ -1,0 +1,222 @@
+#include "belief_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <queue>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace conceptplan {
+namespace {
+
+/// Beliefs that differ by less than about this share are one node.
+constexpr double kBeliefResolution = 1e-9;
+constexpr double kValueTolerance = 1e-12;
+/// Scores below this are no plans.
+constexpr double kLeastScore = 1e-12;
+
+struct Mass {
+  StateId state{};
+  double mass = 0;
+};
+
+/// Sorted by state; masses above zero.
+using SparseBelief = std::vector<Mass>;
+
+/// The best discounted probability of the goal if the state could be seen after each action.
+std::vector<double> seenStateValues(const SymbolGraph& graph, const StateBelief& goal,
+                                    const BeliefSearchOptions& options) {
+  std::vector<double> values = goal;
+  for (std::size_t sweep = 0; sweep < options.horizon; ++sweep) {
+    double change = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto state = static_cast<StateId>(i);
+      double best = values[i];
+      for (const Action action : kActions) {
+        if (graph.legality(state, action) <= options.legality_threshold) continue;
+        double value = 0;
+        for (const Transition& transition : graph.transitions(state, action)) {
+          if (graph.valid(transition.state))
+            value += transition.probability * values[index(transition.state)];
+        }
+        best = std::max(best, options.discount * value);
+      }
+      change = std::max(change, best - values[i]);
+      values[i] = best;
+    }
+    if (change < kValueTolerance) break;
+  }
+  return values;
+}
+
+class BeliefSearch {
+ public:
+  BeliefSearch(const SymbolGraph& graph, const StateBelief& goal,
+               const BeliefSearchOptions& options)
+      : graph_(graph),
+        goal_(goal),
+        options_(options),
+        values_(seenStateValues(graph, goal, options)),
+        dense_(graph.numStates(), 0) {}
+
+  std::vector<ScoredSequence> run(const StateBelief& start, SearchGuard& guard,
+                                  SearchStatistics& statistics) {
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      if (start[i] > 0) touch(static_cast<StateId>(i), start[i]);
+    }
+    push(kRoot, Action::kMoveFront, 0, intern(takeTouched()));
+    std::vector<ScoredSequence> found;
+    while (!queue_.empty() && found.size() < options_.top) {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      if (!found.empty() && entry.score < options_.least_share * found.front().score) break;
+      if (entry.is_end) {
+        accept(entry, found);
+        continue;
+      }
+      const std::size_t belief = nodes_[entry.node].belief;
+      if (visits_[belief] >= options_.paths_per_belief) continue;
+      if (!guard.expand(statistics)) break;
+      ++visits_[belief];
+      expand(entry.node, statistics);
+    }
+    return found;
+  }
+
+ private:
+  static constexpr std::size_t kRoot = static_cast<std::size_t>(-1);
+
+  struct Node {
+    std::size_t parent;
+    Action action;
+    std::size_t length;
+    std::size_t belief;
+  };
+
+  struct Entry {
+    double score;
+    bool is_end;  ///< the sequence ends here; else `score` is a bound
+    std::size_t length;
+    std::size_t node;
+
+    /// Worse entries are less. Among equals ends come first, then long ones, then older ones.
+    bool operator<(const Entry& other) const {
+      if (score != other.score) return score < other.score;
+      if (is_end != other.is_end) return other.is_end;
+      if (length != other.length) return length < other.length;
+      return node > other.node;
+    }
+  };
+
+  void touch(StateId state, double mass) {
+    if (dense_[index(state)] == 0) touched_.push_back(state);
+    dense_[index(state)] += mass;
+  }
+
+  SparseBelief takeTouched() {
+    std::sort(touched_.begin(), touched_.end());
+    SparseBelief belief;
+    belief.reserve(touched_.size());
+    for (const StateId state : touched_) {
+      belief.push_back({state, dense_[index(state)]});
+      dense_[index(state)] = 0;
+    }
+    touched_.clear();
+    return belief;
+  }
+
+  /// The number of the belief, the same for equal ones.
+  std::size_t intern(SparseBelief belief) {
+    std::string key;
+    key.reserve(belief.size() * (sizeof(StateId) + sizeof(long long)));
+    for (const Mass& entry : belief) {
+      // Equal shares of the logarithm are equal ratios of the mass.
+      const long long rounded = std::llround(std::log(entry.mass) / kBeliefResolution);
+      key.append(reinterpret_cast<const char*>(&entry.state), sizeof entry.state);
+      key.append(reinterpret_cast<const char*>(&rounded), sizeof rounded);
+    }
+    const auto [known, is_new] = numbers_.try_emplace(std::move(key), beliefs_.size());
+    if (is_new) {
+      beliefs_.push_back(std::move(belief));
+      visits_.push_back(0);
+    }
+    return known->second;
+  }
+
+  double weighed(const SparseBelief& belief, const std::vector<double>& weights) const {
+    double sum = 0;
+    for (const Mass& entry : belief) sum += entry.mass * weights[index(entry.state)];
+    return sum;
+  }
+
+  void push(std::size_t parent, Action action, std::size_t length, std::size_t belief) {
+    const double bound = std::pow(options_.discount, length) * weighed(beliefs_[belief], values_);
+    if (bound < kLeastScore) return;
+    nodes_.push_back({parent, action, length, belief});
+    queue_.push({bound, false, length, nodes_.size() - 1});
+  }
+
+  void expand(std::size_t number, SearchStatistics& statistics) {
+    const Node node = nodes_[number];
+    const double score =
+        std::pow(options_.discount, node.length) * weighed(beliefs_[node.belief], goal_);
+    if (score >= kLeastScore) queue_.push({score, true, node.length, number});
+    if (node.length == options_.horizon) return;
+    for (const Action action : kActions) {
+      for (const Mass& entry : beliefs_[node.belief]) {
+        if (graph_.legality(entry.state, action) <= options_.legality_threshold) continue;
+        for (const Transition& transition : graph_.transitions(entry.state, action)) {
+          if (graph_.valid(transition.state)) {
+            touch(transition.state, entry.mass * transition.probability);
+          }
+        }
+      }
+      if (touched_.empty()) continue;
+      const std::size_t next = intern(takeTouched());
+      ++statistics.generated;
+      if (next == node.belief || visits_[next] >= options_.paths_per_belief) continue;
+      push(number, action, node.length + 1, next);
+    }
+  }
+
+  void accept(const Entry& entry, std::vector<ScoredSequence>& found) {
+    const SparseBelief& belief = beliefs_[nodes_[entry.node].belief];
+    const StateId outcome =
+        std::max_element(belief.begin(), belief.end(), [](const Mass& a, const Mass& b) {
+          return a.mass < b.mass;
+        })->state;
+    if (options_.distinct_outcomes && !outcomes_.insert(index(outcome)).second) return;
+    ScoredSequence sequence{{}, entry.score, outcome};
+    for (std::size_t i = entry.node; nodes_[i].parent != kRoot; i = nodes_[i].parent) {
+      sequence.actions.push_back(nodes_[i].action);
+    }
+    std::reverse(sequence.actions.begin(), sequence.actions.end());
+    found.push_back(std::move(sequence));
+  }
+
+  const SymbolGraph& graph_;
+  const StateBelief& goal_;
+  const BeliefSearchOptions& options_;
+  std::vector<double> values_;
+  std::vector<SparseBelief> beliefs_;
+  std::vector<std::size_t> visits_;  // of each belief
+  std::unordered_map<std::string, std::size_t> numbers_;
+  std::vector<Node> nodes_;
+  std::priority_queue<Entry> queue_;
+  std::unordered_set<std::size_t> outcomes_;
+  StateBelief dense_;  // zero between uses
+  std::vector<StateId> touched_;
+};
+
+}  // namespace
+
+std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const StateBelief& start,
+                                          const StateBelief& goal,
+                                          const BeliefSearchOptions& options, SearchGuard& guard,
+                                          SearchStatistics& statistics) {
+  return BeliefSearch(graph, goal, options).run(start, guard, statistics);
+}
+
+}  // namespace conceptplan

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "conceptplan/planners/belief_update.hpp"
+#include "search_guard.hpp"
+
+namespace conceptplan {
+
+/// An action sequence and what it scores: discount^length times the joint probability.
+struct ScoredSequence {
+  ActionSequence actions;
+  double score = 0;
+  StateId outcome{};  ///< most probable final state
+};
+
+struct BeliefSearchOptions {
+  double legality_threshold = 0;
+  double discount = 1;  ///< of one action, in (0, 1]
+  std::size_t horizon = 0;
+  std::size_t top = 1;               ///< sequences wanted
+  std::size_t paths_per_belief = 1;  ///< ways to one belief that are told apart
+  bool distinct_outcomes = false;    ///< a sequence counts only if its outcome is new
+  double least_share = 0;            ///< of the best score; worse sequences are not wanted
+};
+
+/// The best action sequences by score, best first, by best-first search over beliefs.
+///
+/// A belief is never scaled, so its future is linear in it and
+/// `score <= discount^t * sum over s of b(s) V(s)`, where V is the value if the state could be seen
+/// (Littman, Cassandra and Kaelbling's QMDP, 1995, doi:10.1016/b978-1-55860-377-6.50052-9). That
+/// bound orders the search, which makes it exact; sequences that lead to the same belief share its
+/// node, since the rest of their score is the same.
+/// @param start a measure over states; what it leaves out is not searched for.
+std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const StateBelief& start,
+                                          const StateBelief& goal,
+                                          const BeliefSearchOptions& options, SearchGuard& guard,
+                                          SearchStatistics& statistics);
+
+}  // namespace conceptplan

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "conceptplan/planners/plan_result.hpp"
+#include "conceptplan/planners/symbol_graph.hpp"
+
+namespace conceptplan {
+
+/// Every action that a legality check rules out in one of these states: the action itself, or its
+/// most probable next state. Each state counts once.
+std::vector<Rejection> traceRejections(const SymbolGraph& graph, std::span<const StateId> states,
+                                       double legality_threshold);
+
+/// The states that legal actions and valid outcomes lead to from a state, itself first, by number
+/// of actions; at most `most` of them and of at most `horizon` actions.
+std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
+                                     double legality_threshold, std::size_t horizon,
+                                     std::size_t most);
+
+/// The concepts frozen in this problem in which start and goal most probably differ, as a sentence;
+/// empty if there are none.
+std::string frozenMismatch(const SymbolGraph& graph);
+
+}  // namespace conceptplan

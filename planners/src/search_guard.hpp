@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "conceptplan/planners/planner.hpp"
+
+namespace conceptplan {
+
+/// Counts the expansions of one search and tells when it must stop.
+class SearchGuard {
+ public:
+  explicit SearchGuard(const SearchLimits& limits);
+
+  /// Counts one expansion. False once a limit has struck; the expansion must not be made then.
+  bool expand(SearchStatistics& statistics);
+
+  /// Which limit struck; nothing if none did.
+  std::optional<PlanStatus> stopped() const { return stopped_; }
+
+  /// What to tell the user of it; empty if none struck.
+  std::string reason() const { return reason_; }
+
+ private:
+  void stop(PlanStatus status, std::string reason);
+
+  SearchLimits limits_;
+  std::chrono::steady_clock::time_point deadline_;
+  std::optional<PlanStatus> stopped_;
+  std::string reason_;
+};
+
+}  // namespace conceptplan
