@@ -61,13 +61,20 @@ std::optional<double> peakSignalToNoise_dB(const RgbdImage& a, const RgbdImage& 
 
 std::string framesOf(const ReportFrames& frames, const std::string& step) {
   std::string html;
-  const auto add = [&](const RgbdImage& image, const std::string& caption) {
+  const auto add = [&](const RgbdImage& image, const std::string& caption,
+                       const std::string& note) {
     if (image.width == 0) return;
     html += "<figure><div class=\"frame\">" + picture(image, caption + " after step " + step) +
-            "</div><figcaption>" + caption + "</figcaption></figure>";
+            "</div><figcaption>" + caption + note + "</figcaption></figure>";
   };
-  add(frames.predicted, "Predicted");
-  add(frames.reference, "Simulated");
+  std::string match;
+  if (frames.predicted.width > 0 && frames.reference.width > 0) {
+    if (const auto ratio = peakSignalToNoise_dB(frames.predicted, frames.reference)) {
+      match = "<span class=\"match\">" + decimal(*ratio, 1) + "&nbsp;dB</span>";
+    }
+  }
+  add(frames.predicted, "Predicted", match);
+  add(frames.reference, "Simulated", "");
   return html.empty() ? html : "<div class=\"frames\">" + html + "</div>";
 }
 
@@ -91,19 +98,10 @@ std::string stepList(const Report& report, const Plan& plan) {
   for (std::size_t i = 0; i < plan.actions.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     html += "<li class=\"card\">";
-    std::string match;
-    if (!report.frames.empty()) {
-      const ReportFrames& frames = report.frames[i];
-      html += framesOf(frames, number);
-      if (frames.predicted.width > 0 && frames.reference.width > 0) {
-        if (const auto ratio = peakSignalToNoise_dB(frames.predicted, frames.reference)) {
-          match = "<span class=\"change\">match " + decimal(*ratio, 1) + "&nbsp;dB</span>";
-        }
-      }
-    }
+    if (!report.frames.empty()) html += framesOf(report.frames[i], number);
     html += "<div class=\"what\"><h3><span class=\"number\">" + number + "</span>" +
             icon(plan.actions[i]) + words(plan.actions[i]) + "</h3><span class=\"change\">" +
-            changes(report, before, plan.predicted[i]) + "</span>" + match + "</div></li>";
+            changes(report, before, plan.predicted[i]) + "</span></div></li>";
     before = plan.predicted[i];
   }
   return html;
@@ -143,8 +141,8 @@ std::string planSection(const Report& report) {
     html += "Nothing needs to be done: the goal is reached at the start.";
   } else if (comparesFrames(report)) {
     html +=
-        "Each step as the learned model predicts it, beside what the simulator shows. The match "
-        "is the peak signal-to-noise ratio of the two pictures: higher is closer.";
+        "Each step as the learned model predicts it, beside what the simulator shows. The figure "
+        "in dB is the peak signal-to-noise ratio of the two pictures: higher is closer.";
   } else {
     html += "The most probable sequence of actions, step by step.";
   }

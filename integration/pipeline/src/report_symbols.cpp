@@ -10,7 +10,7 @@ namespace conceptplan::report {
 
 std::string_view heading(Concept which) {
   static constexpr std::array<std::string_view, kNumConcepts> kHeadings{
-      "Type", "Column", "Row", "Rotation", "Colour", "Size"};
+      "Type", "Column", "Row", "Rotation", "Color", "Size"};
   return kHeadings[index(which)];
 }
 

@@ -7,7 +7,7 @@
 
 namespace conceptplan::report {
 
-/// "Type", "Column", "Row", "Rotation", "Colour" or "Size".
+/// "Type", "Column", "Row", "Rotation", "Color" or "Size".
 std::string_view heading(Concept which);
 
 /// What the report calls a symbol; escaped.

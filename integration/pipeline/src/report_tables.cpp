@@ -104,8 +104,8 @@ std::string symbolsSection(const Report& report) {
   const SymbolicScene& scene = report.problem.initial;
   std::string html =
       "<section><h2>What was read</h2><p class=\"note\">The symbols of each object with their "
-      "probability. Of the target, also those of the goal picture; what the plan must change is "
-      "in colour.</p><div class=\"card scroll\"><table class=\"stack\"><thead><tr>"
+      "probability. Of the target, also those of the goal picture; what the plan must change "
+      "stands out.</p><div class=\"card scroll\"><table class=\"stack\"><thead><tr>"
       "<th scope=\"col\">Object</th>";
   for (const Concept which : kConcepts) {
     html += "<th scope=\"col\">" + std::string(heading(which)) + "</th>";
