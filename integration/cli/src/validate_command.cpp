@@ -1,0 +1,60 @@
+#include "commands.hpp"
+#include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "exit_code.hpp"
+#include "scenario_check.hpp"
+
+namespace conceptplan::cli {
+namespace {
+
+struct ValidateOptions {
+  std::vector<std::string> paths;
+};
+
+/// All faults that stand in the way of one scenario.
+std::vector<Fault> faultsOf(const std::filesystem::path& file, const PlannerRegistry& registry) {
+  try {
+    readCheckedScenario(file, registry);
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+int validate(const ValidateOptions& options, Session& session) {
+  const PlannerRegistry registry = PlannerRegistry::standard();
+  Json scenarios = Json::array();
+  bool all_valid = true;
+  const auto report = [&](const std::string& path, const std::vector<Fault>& faults) {
+    all_valid = all_valid && faults.empty();
+    scenarios.push_back({{"path", path}, {"ok", faults.empty()}, {"faults", toJson(faults)}});
+    if (faults.empty()) session.console.print(path + ": valid");
+    for (const Fault& fault : faults) session.console.error("conceptplan: " + fault.text());
+  };
+  for (const std::string& path : options.paths) {
+    std::vector<std::filesystem::path> files;
+    try {
+      files = findScenarios(path);
+    } catch (const InputError& error) {
+      report(path, error.faults());
+    }
+    for (const std::filesystem::path& file : files) {
+      report(file.string(), faultsOf(file, registry));
+    }
+  }
+  session.console.printJson({{"ok", all_valid}, {"scenarios", scenarios}});
+  return all_valid ? kDone : kWrongInput;
+}
+
+}  // namespace
+
+void addValidateCommand(CommandLine& line) {
+  const auto options = makeOptions<ValidateOptions>();
+  CLI::App& command =
+      line.add("validate", "Report every fault of scenarios, with file, line and column",
+               "conceptplan validate scenarios/level3-0001",
+               [options](Session& session) { return validate(*options, session); });
+  command.add_option("SCENARIO", options->paths, "Scenario files, folders, or folders of folders")
+      ->required();
+}
+
+}  // namespace conceptplan::cli
