@@ -114,6 +114,7 @@ bool TransitionModel::isDefined(Action action, const Surroundings& surroundings)
 bool TransitionModel::changes(Concept which, double tolerance) const {
   for (const Action action : kActions) {
     const Effect& rule = effect(action, which);
+    if (rule.rows.empty() && 1 - rule.stays > tolerance) return true;
     for (const auto& [joint, row] : rule.rows) {
       if (changeOf(rule, which, cardinality_, joint, row) > tolerance) return true;
     }

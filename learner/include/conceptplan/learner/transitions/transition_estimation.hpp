@@ -22,33 +22,36 @@ struct Triplet {
 struct TransitionEstimationOptions {
   /// An outcome with a smaller share of its context's steps counts as a misread symbol and gets no
   /// probability; in [0, 0.5).
-  double misread_share = 0.15;
-  /// Steps' worth of the prior share in each estimate of legality; > 0.
-  double prior_steps = 8;
+  double misread_share = 0.25;
+  /// Steps in which the symbol stays that are added to every context; >= 0.
+  double stay_steps = 1;
+  /// Uses of the action, as many as expected, that are added to every context; > 0.
+  double prior_uses = 1;
   /// A context makes an action illegal below this Pr[a | Omega]; guides the selection of factors.
   double legality_threshold = 0.01;
-  /// A share counts as none if misreading explains it this many times over; >= 0.
+  /// Uses of an action count as none if misreading explains them this many times over; >= 0.
   double misread_slack = 2;
   /// Most factors of one action's legality.
-  std::size_t max_legality_factors = 8;
+  std::size_t max_legality_factors = 12;
   /// Most features in the context of one effect.
   std::size_t max_effect_features = 2;
 };
 
 /// Estimates effects and legality of all actions from triplets.
 ///
-/// Effects. Pr[next symbol | context] per action and concept. The context is selected by BIC:
-/// starting from nothing, the candidate that lowers -2 log L + p log n most is added while it
-/// lowers it. Candidates: the target's six symbols, and the concept's symbol of the nearest object
-/// of each TYPE symbol. The target's own symbol of the concept wins ties.
+/// Effects: Pr[next symbol | context] per action and concept. The context is selected by BIC,
+/// -2 log L + p log n. The simplest model has one parameter: the probability that the symbol stays.
+/// Against it stands a table whose context grows greedily from nothing while BIC falls, out of the
+/// target's six symbols and the concept's symbol of the nearest object of each TYPE symbol. Steps
+/// without the object of a chosen feature are set aside. In a context that was never seen the
+/// symbol stays.
 ///
-/// Legality. Pr[a | value of a feature] with all actions weighed alike, so that rare actions are
-/// not illegal for being rare. Factors are found by sequential covering: of the steps that no
-/// factor rules out yet, the candidate with the highest BIC gain (a taken or not, table against one
-/// share) that rules out a value is added. Candidates: the target's six symbols, and the offset
-/// to the nearest object of each TYPE symbol. Every share backs off to the prior (1 / 7) with
-/// `prior_steps`, so contexts never seen stay legal; the absence of an object never rules out an
-/// action, since tasks without it may not have asked for it.
+/// Legality: Pr[a | value of a feature], with all actions weighed alike so that a rare one is not
+/// illegal for being rare. Factors are found by sequential covering: of the steps that no factor
+/// rules out yet, the feature with the highest BIC gain (a taken or not, a table against one
+/// share) that rules out some value is added. Candidates are the target's six symbols and the
+/// offset to the nearest object of each TYPE symbol. What was never seen stays legal, and so does
+/// every action where an object is absent: tasks without it may not have asked for the action.
 ///
 /// Source: Sec. III-B of arXiv 2310.03325 ("recording the (input, action, output) triplets"); the
 /// selection of contexts is ours. BIC: G. Schwarz, doi:10.1214/aos/1176344136.
