@@ -1,6 +1,8 @@
 set(world_headers)
 foreach(header IN ITEMS
     action camera concept image input_error object object_crop symbols task workbench world
+    dataset/concept_dataset dataset/concept_dataset_writer dataset/dataset_summary
+    dataset/task_dataset dataset/task_dataset_writer
     simulation/concept_set simulation/judgement simulation/random_stream
     simulation/reference_planner simulation/simulator simulation/task_generator)
   list(APPEND world_headers include/conceptplan/domain/${header}.hpp)
@@ -14,6 +16,16 @@ set(world_sources
   src/object.cpp
   src/object_crop.cpp
   src/symbols.cpp
+  src/task.cpp
+  src/dataset/concept_dataset.cpp
+  src/dataset/concept_dataset_writer.cpp
+  src/dataset/concept_shard.cpp
+  src/dataset/dataset_summary.cpp
+  src/dataset/manifest.cpp
+  src/dataset/mapped_file.cpp
+  src/dataset/task_dataset.cpp
+  src/dataset/task_dataset_writer.cpp
+  src/dataset/task_record.cpp
   src/simulation/concept_set.cpp
   src/simulation/judgement.cpp
   src/simulation/random_stream.cpp

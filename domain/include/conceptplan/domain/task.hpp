@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "conceptplan/domain/action.hpp"
 #include "conceptplan/domain/world.hpp"
@@ -15,14 +17,27 @@ enum class Combination { kAll, kUnseenTask };
 /// `kShifted`: another camera pose, lens noise, other lights and textures.
 enum class RenderDomain { kStandard, kShifted };
 
+/// As on the command line and in files: "train", "validation", "test"; "seen", "unseen"; "all",
+/// "unseen-task"; "standard", "shifted".
+std::string_view name(Split split);
+std::string_view name(ObjectSet objects);
+std::string_view name(Combination combination);
+std::string_view name(RenderDomain domain);
+
+/// The value of that name; nothing if there is none.
+std::optional<Split> splitNamed(std::string_view name);
+std::optional<ObjectSet> objectSetNamed(std::string_view name);
+std::optional<Combination> combinationNamed(std::string_view name);
+std::optional<RenderDomain> renderDomainNamed(std::string_view name);
+
 /// One causal planning task. Source: Sec. II-B of arXiv 2310.03325.
 struct Task {
-  std::string id;               ///< unique in its dataset, e.g. "level3-000017"
-  int level = 1;                ///< 1 movement, 2 + obstacles, 3 + dyer, 4 + rotation
-  World initial;                ///< objects[target] is the target
-  ObjectState goal;             ///< what the target must become
-  ActionSequence reference;     ///< a shortest plan
-  std::uint64_t appearance = 0; ///< seed of textures, light and colour samples
+  std::string id;                ///< unique in its dataset, e.g. "level3-000017"
+  int level = 1;                 ///< 1 movement, 2 + obstacles, 3 + dyer, 4 + rotation
+  World initial;                 ///< objects[target] is the target
+  ObjectState goal;              ///< what the target must become
+  ActionSequence reference;      ///< a shortest plan
+  std::uint64_t appearance = 0;  ///< seed of textures, light and colour samples
 };
 
 }  // namespace conceptplan

@@ -1,0 +1,101 @@
+#include "conceptplan/domain/dataset/task_dataset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/files/rgbd_image_file.hpp"
+#include "conceptplan/domain/simulation/simulator.hpp"
+#include "conceptplan/domain/simulation/task_generator.hpp"
+#include "dataset/manifest.hpp"
+#include "dataset/task_files.hpp"
+#include "dataset/task_record.hpp"
+
+namespace conceptplan {
+namespace {
+
+constexpr std::array<std::string_view, 3> kFrames{"none", "ends", "all"};
+
+/// Faults of more lines than this are not read out one by one.
+constexpr std::size_t kMostFaults = 100;
+
+}  // namespace
+
+std::string_view name(Frames frames) { return kFrames.at(static_cast<std::size_t>(frames)); }
+
+std::optional<Frames> framesNamed(std::string_view name) {
+  for (std::size_t i = 0; i < kFrames.size(); ++i)
+    if (kFrames[i] == name) return static_cast<Frames>(i);
+  return std::nullopt;
+}
+
+std::vector<Task> drawTasks(const TaskDatasetOptions& options) {
+  if (options.levels.empty()) throw std::invalid_argument("a set of tasks needs a level");
+  if (options.count < 1)
+    throw std::invalid_argument("count must be at least 1, not " + std::to_string(options.count));
+  std::vector<Task> tasks;
+  for (auto level = options.levels.begin(); level != options.levels.end(); ++level) {
+    if (std::find(options.levels.begin(), level, *level) != level)
+      throw std::invalid_argument("level " + std::to_string(*level) + " is named twice");
+    const TaskGenerator generator({.level = *level,
+                                   .split = options.split,
+                                   .objects = options.objects,
+                                   .combination = options.combination,
+                                   .seed = options.seed});
+    for (int i = 0; i < options.count; ++i) tasks.push_back(generator.task(i));
+  }
+  return tasks;
+}
+
+std::vector<int> storedSteps(const Task& task, Frames frames) {
+  const int last = static_cast<int>(task.reference.size());
+  std::vector<int> steps;
+  for (int step = 0; step <= last; ++step)
+    if (frames == Frames::kAll || (frames == Frames::kEnds && (step == 0 || step == last)))
+      steps.push_back(step);
+  return steps;
+}
+
+World worldAtStep(const Task& task, int step) {
+  if (step < 0 || step > static_cast<int>(task.reference.size()))
+    throw std::invalid_argument("step " + std::to_string(step) + " of the " +
+                                std::to_string(task.reference.size()) + " of task " + task.id);
+  return replay(task.initial, {task.reference.begin(), task.reference.begin() + step}).world;
+}
+
+std::filesystem::path frameStem(const Task& task, int step) {
+  const std::string number = (step < 10 ? "0" : "") + std::to_string(step);
+  return std::filesystem::path("images") / task.id / number;
+}
+
+std::vector<Task> readTasks(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kTasksName;
+  std::istringstream lines(readFile(path));
+  std::vector<Task> tasks;
+  std::vector<Fault> faults;
+  int number = 0;
+  for (std::string line; faults.size() < kMostFaults && std::getline(lines, line);)
+    tasks.push_back(parseTaskRecord(line, {path.string(), ++number, {}, "", ""}, faults));
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return tasks;
+}
+
+TaskDataset::TaskDataset(const std::filesystem::path& folder) : folder_(folder) {
+  const Manifest manifest = readManifest(folder, "tasks");
+  options_ = taskOptions(manifest, folder);
+  for (const FileChecksum& expected : readChecksums(folder, manifest)) {
+    if (expected.path != kTasksName) continue;
+    std::vector<Fault> faults = faultsOf(folder, expected);
+    if (!faults.empty()) throw InputError(std::move(faults));
+  }
+  tasks_ = readTasks(folder);
+}
+
+RgbdImage TaskDataset::frame(const Task& task, int step) const {
+  return readRgbdImage(rgbdPaths(folder_ / frameStem(task, step)));
+}
+
+}  // namespace conceptplan
