@@ -1,5 +1,6 @@
 #include "conceptplan/learner/transitions/transition_estimation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,8 @@ void checkOptions(const TransitionEstimationOptions& options) {
   check(options.prior_uses > 0, "prior_uses", options.prior_uses);
   check(options.legality_threshold >= 0 && options.legality_threshold <= 1, "legality_threshold",
         options.legality_threshold);
+  check(options.misread_floor >= 0 && options.misread_floor <= 1, "misread_floor",
+        options.misread_floor);
   check(options.misread_slack >= 0, "misread_slack", options.misread_slack);
 }
 
@@ -60,7 +63,9 @@ SymbolicModel estimateSymbolicModel(std::span<const Triplet> triplets,
       evidence.transitions[index(action)][index(which)] = std::move(estimate.counts);
     }
   }
-  for (double& rate : misread) rate /= static_cast<double>(table.size());
+  for (double& rate : misread) {
+    rate = std::max(options.misread_floor, rate / static_cast<double>(table.size()));
+  }
 
   LegalityTable legality;
   for (const Action action : kActions) {

@@ -26,9 +26,12 @@ struct TransitionEstimationOptions {
   /// Steps in which the symbol stays that are added to every context; >= 0.
   double stay_steps = 1;
   /// Uses of the action, as many as expected, that are added to every context; > 0.
-  double prior_uses = 1;
+  double prior_uses = 0.5;
   /// A context makes an action illegal below this Pr[a | Omega]; guides the selection of factors.
   double legality_threshold = 0.01;
+  /// Least share of misread symbols of a concept; more is taken from outcomes that count as misread.
+  /// Steps alone do not show an object that is read wrongly all the time; in [0, 1].
+  double misread_floor = 0.02;
   /// Uses of an action count as none if misreading explains them this many times over; >= 0.
   double misread_slack = 2;
   /// Most factors of one action's legality.
