@@ -1,0 +1,13 @@
+# Fails if anything of Torch, FCL or Embree stands on the link line of the program in FOLDER.
+file(READ ${FOLDER}/build.ninja rules)
+if(NOT rules MATCHES "LINK_LIBRARIES = ([^\n]*libconceptplan_planners\\.a[^\n]*)")
+  message(FATAL_ERROR "found no link line in ${FOLDER}/build.ninja")
+endif()
+set(line "${CMAKE_MATCH_1}")
+message(STATUS "${line}")
+string(TOLOWER "${line}" line)
+foreach(library IN ITEMS torch c10 fcl embree)
+  if(line MATCHES "lib${library}|-l${library}")
+    message(FATAL_ERROR "${library} is on the link line")
+  endif()
+endforeach()
