@@ -33,7 +33,7 @@ Camera lookAt(const Eigen::Vector3d& p_WEye, const Eigen::Vector3d& p_WTarget,
 }
 
 Camera standardCamera() {
-  constexpr double kVerticalFieldOfView_rad = 29.5 * M_PI / 180;
+  constexpr double kVerticalFieldOfView_rad = 27.3 * M_PI / 180;
   return lookAt({0, -1.35, 1.5}, {0, 0.02, 0}, kVerticalFieldOfView_rad);
 }
 

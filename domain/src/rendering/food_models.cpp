@@ -61,14 +61,18 @@ Mesh breadModel() {
       72, 40,
       [](float u, float v) {
         const float x = kBack + (kCut - kBack) * v;
-        const float inward = std::clamp((x - kBack) / 0.045F, 0.0F, 1.0F);
-        const float scale = std::pow(1 - std::pow(1 - inward, 2.4F), 1 / 2.4F);
-        const Vector2f middle(0, 0.036F);
+        const float inward = std::clamp((x - kBack) / 0.038F, 0.0F, 1.0F);
+        const float scale = std::pow(1 - std::pow(1 - inward, 2.8F), 1 / 2.8F);
+        const Vector2f middle(0, 0.030F);
         Vector2f p = middle + scale * (sliceOutline(u) - middle);
         p.y() = std::max(p.y(), 0.0F);
         return Vector3f(x, p.x(), p.y());
       },
-      plain(kBodyMatte));
+      [](float u, float v) {
+        // Floury scores across the top.
+        const bool top = u > 0.36F && u < 0.64F;
+        return top && v > 0.30F && v < 0.90F && std::fmod(v, 0.30F) < 0.075F ? kCream : kBodyMatte;
+      });
   addCrumb(builder, kCut);
   // A slice that leans on the cut end and shows its crumb upwards.
   constexpr float kThickness = 0.018F;
@@ -107,39 +111,46 @@ Mesh eggModel() {
 
 Mesh lettuceModel() {
   MeshBuilder builder;
-  // The heart, then leaves around it: stem end at -x pale, ragged tips at +x.
-  builder.ellipsoid({0.005F, 0, 0.045F}, {0.062F, 0.042F, 0.042F}, plain(kBodyShade));
-  builder.placement = Translation3f(0, 0, 0.045F) * AngleAxisf(kPi / 2, Vector3f::UnitY());
-  builder.revolve(32, 10,
-                  spline({{0, -0.085F}, {0.017F, -0.084F}, {0.020F, -0.070F}, {0.030F, -0.045F}}),
+  // A head lying along x: pale stem end at -x, wavy leaf tips that open at +x.
+  builder.placement = Translation3f(0, 0, 0.048F) * AngleAxisf(kPi / 2, Vector3f::UnitY());
+  builder.revolve(32, 12,
+                  spline({{0, -0.084F},
+                          {0.019F, -0.083F},
+                          {0.022F, -0.070F},
+                          {0.026F, -0.050F},
+                          {0.030F, -0.030F}}),
                   plain(kCream));
   builder.placement.setIdentity();
-  constexpr int kLeaves = 9;
+  builder.ellipsoid({0.008F, 0, 0.046F}, {0.060F, 0.040F, 0.040F}, plain(kBodyShade));
+  constexpr int kLeaves = 8;
   for (int leaf = 0; leaf < kLeaves; ++leaf) {
-    const float turn = 2 * kPi * static_cast<float>(leaf) / kLeaves + 0.35F;
-    const float layer = leaf % 3 == 0 ? 0.0F : (leaf % 3 == 1 ? 0.5F : 1.0F);
-    const float length = 0.150F - 0.012F * layer;
+    const bool outer = leaf % 2 == 1;
+    const float phase = 2.1F * static_cast<float>(leaf);
+    const float turn = 2 * kPi * static_cast<float>(leaf) / kLeaves + 0.2F;
     builder.surface(
-        40, 40,
+        48, 40,
         [&](float u, float v) {
           const float across = 2 * u - 1;
-          const float width = 0.10F + 0.62F * std::sin(kPi * std::pow(v, 1.25F) * 0.72F);
-          const float ruffle =
-              0.009F * std::sin(13 * v + 2.0F * static_cast<float>(leaf)) *
-                  std::pow(std::abs(across), 3.0F) +
-              0.006F * std::sin(19 * across + 4 * static_cast<float>(leaf)) * v * v * v;
-          const float angle = turn + across * width;
+          const float side = across * across;
+          const float half_angle = 0.16F + 0.62F * std::sin(kPi * std::min(0.75F * v, 0.5F));
+          // Waves grow towards the leaf's rim.
+          const float rim = std::max(side * v, v * v * v * v);
+          const float wave = 0.0075F * rim * std::sin(9 * across + phase) +
+                             0.0055F * side * v * std::sin(17 * v + phase);
+          const float flare = 0.014F * v * v * v * v;
           const float radius =
-              0.016F + 0.030F * std::sin(kPi * (0.08F + 0.68F * v)) + 0.003F * layer + ruffle;
-          const float ragged = 0.010F * std::sin(17 * across + 3 * static_cast<float>(leaf)) * v;
-          const float x = -0.076F + (length - 0.018F * across * across) * v + ragged;
-          return Vector3f(std::min(x, 0.084F), 1.12F * radius * std::cos(angle),
-                          std::max(0.047F + 0.98F * radius * std::sin(angle), 0.001F));
+              0.020F + 0.028F * std::sin(kPi * 0.62F * v) + (outer ? 0.004F : 0.0F) + flare + wave;
+          const float angle = turn + across * half_angle;
+          const float length =
+              (outer ? 0.128F : 0.146F) - 0.022F * side + 0.005F * std::sin(7 * across + phase) * v;
+          return Vector3f(std::min(-0.070F + length * v, 0.084F),
+                          std::clamp(1.15F * radius * std::cos(angle), -0.084F, 0.084F),
+                          std::max(0.050F + radius * std::sin(angle), 0.001F));
         },
-        [](float u, float v) {
+        [outer](float u, float v) {
           const float across = std::abs(2 * u - 1);
-          if (v < 0.30F - 0.10F * across || across < 0.16F * (1.05F - v)) return kCream;
-          return kBodyWaxy;
+          if (v < 0.22F || across < 0.17F * (0.95F - v)) return kCream;
+          return outer ? kBodyWaxy : kBodyShade;
         });
   }
   return builder.take();

@@ -38,11 +38,11 @@ Mesh cupModel() {
                   plain(kWhite));
   builder.disc(0.0495F, 0.082F, plain(kCoffee));
   builder.placement.setIdentity();
-  builder.tube(spline3({{0.020F, 0, 0.090F},
-                        {0.052F, 0, 0.092F},
+  builder.tube(spline3({{0.036F, 0, 0.083F},
+                        {0.056F, 0, 0.086F},
                         {0.072F, 0, 0.070F},
                         {0.062F, 0, 0.040F},
-                        {0.016F, 0, 0.024F}}),
+                        {0.026F, 0, 0.026F}}),
                thick(0.0115F), plain(kWhite), 40);
   return builder.take();
 }
@@ -52,8 +52,8 @@ Mesh plateModel() {
   // A dark printed sector on the rim towards +x, edged in white.
   const auto print = [](float u, float v) {
     const float angle = awayFromX(u);
-    if (v > 0.30F && angle < 0.68F) return kNavy;
-    if (v > 0.30F && angle < 0.82F) return kWhite;
+    if (v > 0.22F && angle < 0.80F) return kNavy;
+    if (v > 0.22F && angle < 0.96F) return kWhite;
     return kBodyGlazed;
   };
   builder.revolve(144, 48,

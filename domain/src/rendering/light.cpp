@@ -20,19 +20,20 @@ Light::Light(RandomStream& random, RenderDomain domain) {
   const float edge = uniform(random, 0.45F, 0.65F);
   const float strength = shifted ? uniform(random, 0.7F, 1.25F) : uniform(random, 0.8F, 1.2F);
   const float warmth = shifted ? uniform(random, -0.10F, 0.12F) : uniform(random, -0.02F, 0.05F);
-  const float share = uniform(random, 0.60F, 0.72F);
+  const float share = uniform(random, 0.63F, 0.75F);
   const Vector3f tint(1 + warmth, 1, 1 - 1.2F * warmth);
   lamp_ = 1.05F * strength * share * tint;
   sky_ = 1.0F * strength * (1 - share) * Vector3f(0.99F, 1, 1.02F);
   window_ = 0.22F * strength * Vector3f(0.98F, 1, 1.03F);
   toward_window_ = Vector3f(uniform(random, -0.8F, 0.8F), -1, 0.25F).normalized();
   constexpr std::array<int, kSamples> kColumns{2, 5, 0, 7, 3, 6, 1, 4};
-  for (int i = 0; i < kSamples; ++i) {
-    const auto across = [edge](int k) {
-      return edge * ((static_cast<float>(k) + 0.5F) / kSamples - 0.5F);
-    };
-    const auto row = static_cast<std::size_t>(i);
-    samples_[row] = center_ + Vector3f(across(kColumns[row]), across(i), 0);
+  for (std::size_t set = 0; set < kSets; ++set) {
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      const float inset = set == 0 ? 0.25F : 0.75F;
+      const float x = (static_cast<float>(kColumns[i]) + inset) / kSamples - 0.5F;
+      const float y = (static_cast<float>(i) + 1 - inset) / kSamples - 0.5F;
+      samples_[set][i] = center_ + edge * Vector3f(x, y, 0);
+    }
   }
   distance_squared_ = center_.squaredNorm();
 }

@@ -16,12 +16,16 @@ float uniform(RandomStream& random, float low, float high);
 /// back. Linear RGB; a white horizontal surface under all of it comes out near 1.
 class Light {
  public:
+  /// Points of the lamp that rays go to together, and the number of such sets.
   static constexpr int kSamples = 8;
+  static constexpr int kSets = 2;
 
   Light(RandomStream& random, RenderDomain domain);
 
-  /// Points of the lamp, none of them in line with two others along an edge.
-  const std::array<Eigen::Vector3f, kSamples>& samples() const { return samples_; }
+  /// Points spread over the lamp, no two of a set in line along an edge.
+  const std::array<Eigen::Vector3f, kSamples>& samples(std::size_t set) const {
+    return samples_[set];
+  }
   const Eigen::Vector3f& center() const { return center_; }
 
   /// The colour of a surface towards the eye.
@@ -38,7 +42,7 @@ class Light {
   Eigen::Vector3f surroundings(const Eigen::Vector3f& direction) const;
 
   Eigen::Vector3f center_;
-  std::array<Eigen::Vector3f, kSamples> samples_;
+  std::array<std::array<Eigen::Vector3f, kSamples>, kSets> samples_;
   Eigen::Vector3f lamp_;    ///< irradiance at the middle of the table when facing the lamp
   Eigen::Vector3f sky_;     ///< irradiance from above
   Eigen::Vector3f window_;  ///< irradiance from the side of the camera

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kDirections = 64;
+constexpr int kDirections = 32;
 
 /// Directions over the sphere, even (a Fibonacci lattice).
 const std::array<Vector3f, 2 * kDirections>& sphereDirections() {

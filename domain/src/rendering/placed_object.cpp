@@ -24,7 +24,8 @@ PlacedObject::PlacedObject(const Workbench& workbench, const ObjectState& object
   const Eigen::AlignedBox3f box = bounds_W();
   shadow_.extend(Vector2f(box.min().head<2>())).extend(Vector2f(box.max().head<2>()));
   dimmed_ = shadow_;
-  for (const Vector3f& lamp : light.samples()) {
+  for (std::size_t i = 0; i < Light::kSets * Light::kSamples; ++i) {
+    const Vector3f& lamp = light.samples(i % Light::kSets)[i / Light::kSets];
     for (const auto corner :
          {Eigen::AlignedBox3f::TopLeftFloor, Eigen::AlignedBox3f::TopLeftCeil,
           Eigen::AlignedBox3f::TopRightFloor, Eigen::AlignedBox3f::TopRightCeil,
@@ -124,12 +125,12 @@ bool PlacedObject::mayShade(const Vector3f& p_W) const {
          p_W.z() <= scale_ * geometry_->bounds.max().z();
 }
 
-unsigned PlacedObject::hides(const Vector3f& p_W, const Light& light) const {
+unsigned PlacedObject::hides(const Vector3f& p_W, const Light& light, std::size_t set) const {
   const Vector3f origin = toModel(p_W - p_W_);
   alignas(32) int valid[kPacket];
   RTCRay8 rays{};
   for (std::size_t lane = 0; lane < kPacket; ++lane) {
-    const Vector3f direction = toModel(light.samples()[lane] - p_W);
+    const Vector3f direction = toModel(light.samples(set)[lane] - p_W);
     valid[lane] = -1;
     rays.org_x[lane] = origin.x();
     rays.org_y[lane] = origin.y();

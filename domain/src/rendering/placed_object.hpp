@@ -45,8 +45,8 @@ class PlacedObject {
 
   /// Whether the object may hide any of the lamp from the point.
   bool mayShade(const Eigen::Vector3f& p_W) const;
-  /// The lamp's samples that the object hides from the point, as bits.
-  unsigned hides(const Eigen::Vector3f& p_W, const Light& light) const;
+  /// The samples of a set of the lamp's that the object hides from the point, as bits.
+  unsigned hides(const Eigen::Vector3f& p_W, const Light& light, std::size_t set) const;
   /// The share of the sky that the object leaves open to a point of the table.
   float groundOpenness(const Eigen::Vector3f& p_W) const;
   /// The part of the table on which the object dims anything.

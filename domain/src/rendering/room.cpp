@@ -46,7 +46,7 @@ Room::Layout makeLayout(const Workbench& workbench) {
   layout.half_width = half_x + 0.10F;
   layout.wall = half_y + 0.22F;
   const float x = layout.half_width;
-  const float front = -half_y - 0.05F;
+  const float front = -half_y - 0.02F;
   const float back = layout.wall - 0.002F;
   addBox(layout, {-x, front, -kTableThickness_m}, {x, back, 0}, kTable, kTableEdge);
   addBox(layout, {-x + 0.03F, front + 0.03F, -0.14F}, {x - 0.03F, back - 0.03F, -kTableThickness_m},
@@ -97,7 +97,7 @@ float Room::lit(const Vector3f& p_W, const Light& light) const {
   alignas(32) int valid[kPacket];
   RTCRay8 rays{};
   for (std::size_t lane = 0; lane < kPacket; ++lane) {
-    const Vector3f d = light.samples()[lane] - p_W;
+    const Vector3f d = light.samples(0)[lane] - p_W;
     valid[lane] = -1;
     rays.org_x[lane] = p_W.x();
     rays.org_y[lane] = p_W.y();
@@ -233,7 +233,7 @@ Vector3f RoomStyle::albedo(const Finish& finish, float a, float b, float pixel_m
   v -= std::floor(v);
   const Texel texel = texture(finish.kind).sample(u, v, pixel_m / finish.period_m);
   const Vector3f ground = finish.first + texel.mix * (finish.second - finish.first);
-  return ground + texel.joint * (finish.joint - ground);
+  return ground + 0.7F * texel.joint * (finish.joint - ground);
 }
 
 Vector3f RoomStyle::shade(const Room& room, const Light& light, const RoomPoint& point,

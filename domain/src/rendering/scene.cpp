@@ -136,36 +136,48 @@ bool Scene::atEdge(int x, int y) const {
   return false;
 }
 
-Vector3f Scene::colorOf(const PlacedObject& object, const SurfacePoint& point) const {
+float Scene::lit(const Vector3f& p_W) const {
+  int hidden = 0;
+  for (std::size_t set = 0; set < Light::kSets; ++set) {
+    unsigned bits = 0;
+    for (const PlacedObject& object : objects_) {
+      if (object.mayShade(p_W)) bits |= object.hides(p_W, look_.light, set);
+    }
+    hidden += std::popcount(bits);
+    // Only where the first set is of two minds is there a penumbra to smooth.
+    if (set == 0 && (hidden == 0 || hidden == Light::kSamples)) return hidden == 0 ? 1 : 0;
+  }
+  return 1 - static_cast<float>(hidden) / (Light::kSets * Light::kSamples);
+}
+
+float Scene::lit(const SurfacePoint& point) const {
   // Off the facets, so that a smooth surface does not shade itself.
   constexpr float kOffset_m = 1.2e-3F;
-  const Vector3f from = point.p_W + kOffset_m * point.normal;
-  unsigned hidden = 0;
-  if (point.normal.dot(look_.light.center() - point.p_W) > 0) {
-    for (const PlacedObject& other : objects_) {
-      if (other.mayShade(from)) hidden |= other.hides(from, look_.light);
-    }
-  }
-  const float lit = 1 - static_cast<float>(std::popcount(hidden)) / Light::kSamples;
+  if (point.normal.dot(look_.light.center() - point.p_W) <= 0) return 0;
+  return lit(Vector3f(point.p_W + kOffset_m * point.normal));
+}
+
+Vector3f Scene::colorOf(const PlacedObject& object, const SurfacePoint& point, float lit) const {
   return object.shade(point, look_.light, (view_.eye() - point.p_W).normalized(), lit);
 }
 
 Vector3f Scene::objectColor(int x, int y) const {
   const std::size_t i = place(x, y);
-  return colorOf(objects_[owners_[i] - 1U], points_[i]);
+  return colorOf(objects_[owners_[i] - 1U], points_[i], lit(points_[i]));
 }
 
 Vector3f Scene::roomColor(const RoomPoint& point) const {
-  float lit = 1;
+  return roomColor(point, point.surface == RoomSurface::kTable ? lit(point.p_W) : 1);
+}
+
+Vector3f Scene::roomColor(const RoomPoint& point, float lit) const {
   float open = 1;
   if (point.surface == RoomSurface::kTable) {
-    unsigned hidden = 0;
     for (const PlacedObject& object : objects_) {
-      if (!object.dimmed().contains(Vector2f(point.p_W.head<2>()))) continue;
-      if (object.mayShade(point.p_W)) hidden |= object.hides(point.p_W, look_.light);
-      open *= object.groundOpenness(point.p_W);
+      if (object.dimmed().contains(Vector2f(point.p_W.head<2>()))) {
+        open *= object.groundOpenness(point.p_W);
+      }
     }
-    lit = 1 - static_cast<float>(std::popcount(hidden)) / Light::kSamples;
   } else if (point.surface != RoomSurface::kNone) {
     lit = light_map_().lit(point);
   }
@@ -207,12 +219,33 @@ Vector3f Scene::blendedColor(int x, int y) const {
   }
   std::array<RoomPoint, kPacket> room_points;
   if (behind) room_.trace(valid, rays, room_points);
+  struct Seen {
+    const PlacedObject* object;
+    Vector3f normal;
+    float lit;
+  };
+  std::array<Seen, kOffsets.size()> known;
+  std::size_t kinds = 0;
+  const auto litOnce = [&](const PlacedObject* object, const Vector3f& normal, const auto& point) {
+    const auto end = known.begin() + static_cast<std::ptrdiff_t>(kinds);
+    const auto same = std::find_if(known.begin(), end, [&](const Seen& other) {
+      return other.object == object && other.normal.dot(normal) > 0.8F;
+    });
+    if (same != end) return same->lit;
+    known[kinds] = {object, normal, lit(point)};
+    return known[kinds++].lit;
+  };
   Vector3f sum = Vector3f::Zero();
   for (std::size_t lane = 0; lane < kOffsets.size(); ++lane) {
-    const Vector3f color =
-        seen[lane] != nullptr ? colorOf(*seen[lane], seen[lane]->surface(nearest[lane], view_.eye(),
-                                                                         directions[lane]))
-                              : roomColor(room_points[lane]);
+    Vector3f color;
+    if (seen[lane] != nullptr) {
+      const SurfacePoint point = seen[lane]->surface(nearest[lane], view_.eye(), directions[lane]);
+      color = colorOf(*seen[lane], point, litOnce(seen[lane], point.normal, point));
+    } else {
+      const RoomPoint& point = room_points[lane];
+      const bool table = point.surface == RoomSurface::kTable;
+      color = roomColor(point, table ? litOnce(nullptr, Vector3f::UnitZ(), point.p_W) : 1);
+    }
     // A highlight may not outweigh the rest of the pixel.
     sum += color.cwiseMin(1.5F);
   }

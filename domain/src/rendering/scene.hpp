@@ -72,7 +72,8 @@ class Scene {
   Eigen::Vector3f objectColor(int x, int y) const;
   /// Linear colour of a point of the room with the objects' shadows.
   Eigen::Vector3f roomColor(const RoomPoint& point) const;
-  /// Linear colour of a pixel by the mean of four rays.
+  /// Linear colour of a pixel by the mean of four rays. Those that meet the same side of the same
+  /// thing share one look at the lamp.
   Eigen::Vector3f blendedColor(int x, int y) const;
 
  private:
@@ -82,7 +83,11 @@ class Scene {
            static_cast<std::size_t>(x - window_.left);
   }
   void trace(std::size_t object);
-  Eigen::Vector3f colorOf(const PlacedObject& object, const SurfacePoint& point) const;
+  /// The share of the lamp that a point sees past the objects, in [0, 1].
+  float lit(const Eigen::Vector3f& p_W) const;
+  float lit(const SurfacePoint& point) const;
+  Eigen::Vector3f colorOf(const PlacedObject& object, const SurfacePoint& point, float lit) const;
+  Eigen::Vector3f roomColor(const RoomPoint& point, float lit) const;
 
   const Look& look_;
   const View& view_;
