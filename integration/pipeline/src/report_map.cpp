@@ -103,9 +103,10 @@ std::string way(const Report& report, const Plan& plan) {
                      a.y + along.y * forward + right.y * sideways};
       };
       const auto line = [](Point at) { return decimal(at.x, 1) + " " + decimal(at.y, 1) + " "; };
-      svg += "<path class=\"path\" d=\"M" + line(place(8, 5)) + "L" + line(place(length - 8, 5)) +
-             "M" + line(place(length - 14, -1)) + "L" + line(place(length - 8, 5)) + "L" +
-             line(place(length - 14, 11)) + "\"/>";
+      const double start = i == 0 ? 20 : 8;  // outside of the target's disc
+      svg += "<path class=\"path\" d=\"M" + line(place(start, 5)) + "L" +
+             line(place(length - 8, 5)) + "M" + line(place(length - 14, -1)) + "L" +
+             line(place(length - 8, 5)) + "L" + line(place(length - 14, 11)) + "\"/>";
       const Point label = place(0.5 * length - 2, 13);
       svg += text({label.x, label.y + 3}, number);
     } else {

@@ -28,11 +28,13 @@ std::string outlineLayer(const Report& report, const RgbdImage& image) {
   std::string labels;
   const std::size_t count = report.problem.initial.objects.size();
   for (const Outline& outline : outlines(image)) {
-    svg += "<path class=\"under\" d=\"" + outline.path + "\"/><path class=\"over\" stroke=\"" +
-           kOutlineColors[outline.instance % kOutlineColors.size()] + "\" d=\"" + outline.path +
-           "\"/>";
     std::size_t object = 0;
     while (object < count && instance(report, object) != outline.instance) ++object;
+    svg += std::string("<g") +
+           (object == report.problem.initial.target ? " class=\"target\"" : "") +
+           "><path class=\"under\" d=\"" + outline.path + "\"/><path class=\"over\" stroke=\"" +
+           kOutlineColors[outline.instance % kOutlineColors.size()] + "\" d=\"" + outline.path +
+           "\"/></g>";
     const std::string label =
         object < count ? objectName(report, object) : std::to_string(outline.instance);
     labels += "<text x=\"" + decimal(outline.center_x, 1) + "\" y=\"" +
@@ -120,7 +122,7 @@ std::string picturesSection(const Report& report) {
   std::string html =
       "<section class=\"pictures\"><h2>The task</h2>"
       "<p class=\"note\">The workbench as it is, and as it should be. Each instance mask is "
-      "outlined and labelled with the type that was read from it.</p>"
+      "outlined, the target's boldly, and labelled with the type that was read from it.</p>"
       "<label class=\"switch\"><input type=\"checkbox\" checked> Outlines</label>"
       "<div class=\"pair\">";
   if (report.initial.width > 0) {
