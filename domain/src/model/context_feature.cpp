@@ -36,6 +36,12 @@ std::size_t clipped(int offset) {
 
 }  // namespace
 
+std::optional<std::size_t> nearestObject(SymbolId type, const Surroundings& surroundings) {
+  const std::optional<Neighbour> neighbour = nearest(type, surroundings);
+  if (!neighbour) return std::nullopt;
+  return static_cast<std::size_t>(neighbour->symbols - surroundings.others.data());
+}
+
 std::size_t valueCount(const ContextFeature& feature, const ConceptCardinality& cardinality) {
   switch (feature.kind) {
     case ContextKind::kOwnSymbol:

@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ struct ContextFeature {
 
 /// Offsets are clipped to this many cells along each axis.
 inline constexpr int kOffsetReach = 2;
+
+/// Which of `surroundings.others` is nearest to the target among those of a TYPE symbol; nothing if
+/// there is none. Nearest as for `valueOf`.
+std::optional<std::size_t> nearestObject(SymbolId type, const Surroundings& surroundings);
 
 /// The number of values of the feature, the value for "no such object" included.
 std::size_t valueCount(const ContextFeature& feature, const ConceptCardinality& cardinality);

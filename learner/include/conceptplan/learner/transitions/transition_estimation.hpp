@@ -29,8 +29,8 @@ struct TransitionEstimationOptions {
   double prior_uses = 0.5;
   /// A context makes an action illegal below this Pr[a | Omega]; guides the selection of factors.
   double legality_threshold = 0.01;
-  /// Least share of misread symbols of a concept; more is taken from outcomes that count as misread.
-  /// Steps alone do not show an object that is read wrongly all the time; in [0, 1].
+  /// Least share of misread symbols of a concept; more is taken from outcomes that count as
+  /// misread. Steps alone do not show an object that is read wrongly all the time; in [0, 1].
   double misread_floor = 0.02;
   /// Uses of an action count as none if misreading explains them this many times over; >= 0.
   double misread_slack = 2;

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "conceptplan/learner/encoder_kind.hpp"
+
+namespace conceptplan {
+
+/// Version of the model folder's format.
+inline constexpr int kModelFormat = 1;
+
+/// A stage of training, in the order in which they build on each other.
+enum class TrainingStage { kLearnConcepts, kMakeSymbols, kCountTransitions, kTrainVict };
+inline constexpr int kNumTrainingStages = 4;
+
+/// "concepts", "symbols", "transitions" or "vict".
+std::string_view name(TrainingStage stage);
+
+/// What a model folder says of itself, in manifest.json.
+struct ModelManifest {
+  std::string name;  ///< of the folder
+  std::string profile;
+  EncoderKind encoder = EncoderKind::kObjectCentred;
+  std::uint64_t seed = 0;
+  std::string revision;                      ///< of the program's source, or "unknown"
+  std::map<std::string, std::string> data;   ///< dataset -> checksum of its dataset.json
+  std::vector<TrainingStage> stages;         ///< those that are done
+  std::map<std::string, double> measures;    ///< e.g. "validation/accuracy/TYPE"
+  std::map<std::string, std::string> files;  ///< name -> CRC-32 of its bytes
+
+  bool has(TrainingStage stage) const;
+};
+
+/// Files of a model folder.
+inline constexpr const char* kConceptsFile = "concepts.safetensors";
+inline constexpr const char* kSymbolsFile = "symbols.safetensors";
+inline constexpr const char* kTransitionsFile = "symbolic_model.json";
+inline constexpr const char* kVictFile = "vict.safetensors";
+
+/// Reads FOLDER/manifest.json and checks that every file it names is there and unchanged.
+/// @throws InputError with all faults.
+ModelManifest readManifest(const std::filesystem::path& folder);
+
+/// Writes it atomically, with the checksums of the files as they are now.
+/// @throws InputError, std::runtime_error as `writeFileAtomically`.
+void writeManifest(const std::filesystem::path& folder, ModelManifest manifest);
+
+}  // namespace conceptplan

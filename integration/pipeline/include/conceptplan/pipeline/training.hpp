@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "conceptplan/pipeline/model_manifest.hpp"
+
+namespace conceptplan {
+
+/// The names of the training profiles: "cpu" is what two cores learn within an hour; "full-frame"
+/// the same with the paper's encoder; "smoke" trains nothing useful in seconds, for tests.
+std::vector<std::string> trainingProfiles();
+
+struct TrainingOptions {
+  std::filesystem::path data;   ///< datasets; those that are missing are generated here
+  std::filesystem::path model;  ///< folder of the model
+  std::string profile = "cpu";
+  std::uint64_t seed = 1;
+  int jobs = 2;         ///< threads for generation and for Torch
+  bool resume = false;  ///< keep finished stages and go on from checkpoints
+};
+
+/// What training is doing.
+struct TrainingProgress {
+  std::string stage;      ///< e.g. "concepts", or "data: concepts-train"
+  std::size_t done = 0;   ///< steps or pictures
+  std::size_t total = 0;  ///< steps or pictures
+  std::string message;    ///< the latest losses, or empty
+};
+
+struct TrainingControl {
+  std::function<void(const TrainingProgress&)> progress;  ///< called now and then
+  const std::atomic<bool>* cancel = nullptr;  ///< training ends soon after it turns true
+};
+
+/// Trains the stages in order. Each writes its file and the manifest when it is done; the long ones
+/// write a checkpoint every minute and when cancelled. Losses go to MODEL/training.jsonl.
+/// Validation splits choose temperatures and name symbols; test splits are never read.
+/// @returns whether all is done; false if cancelled
+/// @throws InputError for a damaged dataset or model, a stage whose predecessors are missing, an
+///   unknown profile, or a checkpoint of another run.
+bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
+           const TrainingControl& control);
+
+}  // namespace conceptplan

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/input_error.hpp"
+#include "training_stages.hpp"
+
+namespace conceptplan::training {
+
+/// Runs a trainer's steps until all are done or the run is cancelled, with progress, a log line
+/// every hundred steps, and a checkpoint every minute. `trainer` has step(), stepsDone(),
+/// checkpoint() and restore(); `describe` gives the JSON of the latest losses.
+/// @returns false if cancelled. @throws InputError for a checkpoint of another run.
+template <typename Trainer, typename Describe>
+bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, std::int64_t steps,
+              const Describe& describe) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto kCheckpointEvery = std::chrono::seconds(60);
+  constexpr std::int64_t kLogEvery = 100;
+  const auto path = run.checkpoint(stage);
+  if (run.options.resume && std::filesystem::exists(path)) try {
+      trainer.restore(readFile(path));
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::exception&) {
+      throw InputError(
+          {{path.string(), std::nullopt, std::nullopt, "",
+            "is not a checkpoint of this stage and profile; remove it to begin anew"}});
+    }
+  auto saved = Clock::now();
+  while (trainer.stepsDone() < steps) {
+    if (run.cancelled()) {
+      writeFileAtomically(path, trainer.checkpoint());
+      return false;
+    }
+    const std::string losses = describe(trainer.step());
+    const std::int64_t done = trainer.stepsDone();
+    run.report({std::string(name(stage)), static_cast<std::size_t>(done),
+                static_cast<std::size_t>(steps), losses});
+    if (done % kLogEvery == 0)
+      run.log("{\"stage\":\"" + std::string(name(stage)) + "\",\"step\":" + std::to_string(done) +
+              ",\"losses\":" + losses + "}");
+    if (Clock::now() - saved > kCheckpointEvery) {
+      writeFileAtomically(path, trainer.checkpoint());
+      saved = Clock::now();
+    }
+  }
+  return true;
+}
+
+}  // namespace conceptplan::training

@@ -1,0 +1,267 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "conceptplan/domain/camera.hpp"
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/learner/concept_learner.hpp"
+#include "conceptplan/learner/kmeans.hpp"
+#include "conceptplan/learner/learned_symbols.hpp"
+#include "conceptplan/learner/training/augmentation.hpp"
+#include "training_stages.hpp"
+
+namespace conceptplan::training {
+namespace {
+
+/// Where an object stands and how large it is, measured from its depth picture.
+struct Extent {
+  double x_m = 0;  ///< middle of the visible surface, in W
+  double y_m = 0;
+  double half_width_m = 0;  ///< along x
+  double height_m = 0;      ///< above the workbench
+};
+
+/// Objects of a dataset as the learner and the tape measure see them.
+struct ObservedObjects {
+  std::vector<EncoderInput> inputs;
+  std::vector<Extent> extents;
+  std::vector<ConceptValues> values;
+};
+
+Extent measure(const ObjectCrop& crop, const Camera& camera) {
+  std::vector<double> x, y, z;
+  for (int i = 0; i < ObjectCrop::kEdge * ObjectCrop::kEdge; ++i) {
+    const auto pixel = static_cast<std::size_t>(i);
+    if (crop.mask[pixel] == 0 || !(crop.depth_m[pixel] > 0)) continue;
+    const Eigen::Vector2d at(crop.left + i % ObjectCrop::kEdge + 0.5,
+                             crop.top + i / ObjectCrop::kEdge + 0.5);
+    const Eigen::Vector3d p_W = camera.unproject(at, crop.depth_m[pixel]);
+    x.push_back(p_W.x()), y.push_back(p_W.y()), z.push_back(p_W.z());
+  }
+  if (x.empty()) return {};
+  const auto middle = [](std::vector<double>& values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return 0.5 * (*low + *high);
+  };
+  const auto [left, right] = std::minmax_element(x.begin(), x.end());
+  return {middle(x), middle(y), 0.5 * (*right - *left), *std::max_element(z.begin(), z.end())};
+}
+
+/// Up to `most` objects, evenly spread over the dataset.
+ObservedObjects observe(const Run& run, const ConceptDataset& data, std::size_t most,
+                        const std::string& what) {
+  const Camera camera = standardCamera();
+  const std::size_t count = std::min(most, data.size());
+  ObservedObjects observed;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ConceptSample sample = data.sample(i * data.size() / count);
+    observed.inputs.push_back(encoderInput(sample.crop));
+    observed.extents.push_back(measure(sample.crop, camera));
+    observed.values.push_back(conceptValues(sample.object));
+    if (i % 500 == 0) run.report({what, i, count, ""});
+  }
+  return observed;
+}
+
+TokenMatrix tokensOf(const std::vector<Tokens>& tokens, Concept which) {
+  TokenMatrix matrix(static_cast<Eigen::Index>(tokens.size()), TokenMatrix::ColsAtCompileTime);
+  for (std::size_t i = 0; i < tokens.size(); ++i)
+    matrix.row(static_cast<Eigen::Index>(i)) =
+        tokens[i].row(static_cast<Eigen::Index>(index(which)));
+  return matrix;
+}
+
+/// The place of each symbol along one axis: the given cells, in the order of the symbols' mean
+/// measured coordinate.
+std::vector<int> orderAlong(const std::vector<Symbols>& symbols, Concept which, std::size_t count,
+                            const std::vector<double>& coordinate) {
+  std::vector<double> sum(count, 0), seen(count, 0);
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const std::size_t symbol = index(symbols[i][index(which)]);
+    sum[symbol] += coordinate[i];
+    seen[symbol] += 1;
+  }
+  std::vector<int> order(count), place(count);
+  std::iota(order.begin(), order.end(), 0);
+  const auto mean = [&](int symbol) {
+    const auto s = static_cast<std::size_t>(symbol);
+    return seen[s] > 0 ? sum[s] / seen[s] : std::numeric_limits<double>::infinity();
+  };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return mean(a) < mean(b); });
+  for (std::size_t i = 0; i < count; ++i)
+    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  return place;
+}
+
+/// The largest extent seen of each pair of TYPE and SIZE symbols, but for one in twenty that may
+/// be misread; pairs never seen take the largest of all.
+std::vector<std::vector<Footprint>> footprints(const std::vector<Symbols>& symbols,
+                                               const std::vector<Extent>& extents,
+                                               std::size_t types, std::size_t sizes) {
+  std::vector<std::vector<std::vector<double>>> widths(types), heights(types);
+  for (std::size_t type = 0; type < types; ++type)
+    widths[type].resize(sizes), heights[type].resize(sizes);
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const std::size_t type = index(symbols[i][index(Concept::kType)]);
+    const std::size_t size = index(symbols[i][index(Concept::kSize)]);
+    widths[type][size].push_back(extents[i].half_width_m);
+    heights[type][size].push_back(extents[i].height_m);
+  }
+  const auto high = [](std::vector<double> values, double otherwise) {
+    if (values.empty()) return otherwise;
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return std::max(1e-3, *at);
+  };
+  double widest = 0, tallest = 0;
+  for (std::size_t type = 0; type < types; ++type)
+    for (std::size_t size = 0; size < sizes; ++size) {
+      widest = std::max(widest, high(widths[type][size], 0));
+      tallest = std::max(tallest, high(heights[type][size], 0));
+    }
+  std::vector<std::vector<Footprint>> table(types, std::vector<Footprint>(sizes));
+  for (std::size_t type = 0; type < types; ++type)
+    for (std::size_t size = 0; size < sizes; ++size)
+      table[type][size] = {high(widths[type][size], widest), high(heights[type][size], tallest)};
+  return table;
+}
+
+/// The value that most objects of each symbol show.
+std::vector<int> valuesOf(const std::vector<Symbols>& symbols,
+                          const std::vector<ConceptValues>& values, Concept which,
+                          std::size_t count) {
+  std::vector<std::vector<int>> votes(count,
+                                      std::vector<int>(kConceptCardinality[index(which)], 0));
+  for (std::size_t i = 0; i < symbols.size(); ++i)
+    ++votes[index(symbols[i][index(which)])][values[i][index(which)]];
+  std::vector<int> winners;
+  for (const auto& of_symbol : votes)
+    winners.push_back(
+        static_cast<int>(std::max_element(of_symbol.begin(), of_symbol.end()) - of_symbol.begin()));
+  return winners;
+}
+
+std::vector<Symbols> nearestSymbols(const Symbolizer& symbolizer,
+                                    const std::vector<Tokens>& tokens) {
+  std::vector<Symbols> symbols;
+  for (const Tokens& one : tokens) symbols.push_back(symbolizer.nearest(one));
+  return symbols;
+}
+
+/// The validation objects with the variations of training: parts hidden, light changed.
+std::vector<EncoderInput> varied(const std::vector<EncoderInput>& inputs,
+                                 const AugmentationOptions& options, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::vector<EncoderInput> result;
+  for (const EncoderInput& input : inputs)
+    result.push_back(augmented(input.planes, input.location,
+                               inputs[generator() % inputs.size()].planes, options, generator));
+  return result;
+}
+
+/// Fits the temperatures and adds accuracy and calibration on validation to the measures.
+void calibrate(std::array<SymbolClusters, kNumConcepts>& clusters, const std::vector<Tokens>& plain,
+               const std::vector<Tokens>& changed, const std::vector<ConceptValues>& truth,
+               const std::array<std::vector<int>, kNumConcepts>& values, ModelManifest& manifest) {
+  std::vector<bool> all_right(plain.size(), true);
+  for (const Concept which : kConcepts) {
+    const std::size_t k = index(which);
+    const auto row = static_cast<Eigen::Index>(k);
+    const auto symbol_of = [&](int value) {
+      const auto at = std::find(values[k].begin(), values[k].end(), value);
+      return at == values[k].end() ? std::optional<SymbolId>()
+                                   : SymbolId{static_cast<std::int32_t>(at - values[k].begin())};
+    };
+    std::vector<Eigen::VectorXd> rows;
+    std::vector<SymbolId> right;
+    double correct = 0;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const auto symbol = symbol_of(truth[i][k]);
+      Eigen::Index nearest = 0;
+      squaredDistances(clusters[k], plain[i].row(row)).minCoeff(&nearest);
+      const bool ok = symbol && index(*symbol) == static_cast<std::size_t>(nearest);
+      correct += ok ? 1 : 0;
+      all_right[i] = all_right[i] && ok;
+      if (!symbol) continue;
+      rows.push_back(squaredDistances(clusters[k], changed[i].row(row)));
+      right.push_back(*symbol);
+    }
+    Eigen::MatrixXd distances(static_cast<Eigen::Index>(rows.size()), clusters[k].centers.rows());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      distances.row(static_cast<Eigen::Index>(i)) = rows[i];
+    clusters[k].temperature = fitTemperature(distances, right);
+    const std::string concept_name(name(which));
+    manifest.measures["validation/accuracy/" + concept_name] =
+        correct / static_cast<double>(plain.size());
+    manifest.measures["validation/calibration_error/" + concept_name] =
+        calibrationError(distances, right, clusters[k].temperature);
+  }
+  manifest.measures["validation/accuracy/all"] =
+      static_cast<double>(std::count(all_right.begin(), all_right.end(), true)) /
+      static_cast<double>(plain.size());
+}
+
+}  // namespace
+
+bool makeSymbols(const Run& run, ModelManifest& manifest) {
+  const auto train_data = conceptData(run, Split::kTrain);
+  if (!train_data) return false;
+  const auto validation_data = conceptData(run, Split::kValidation);
+  if (!validation_data) return false;
+  const auto path = run.options.model / kConceptsFile;
+  const ConceptLearner learner(decodeTensors(readFile(path), path), manifest.encoder, path);
+
+  const ObservedObjects train =
+      observe(run, *train_data, run.profile.symbol_images, "reading concepts-train");
+  const std::vector<Tokens> train_tokens = learner.encode(train.inputs);
+  if (run.cancelled()) return false;
+  std::array<SymbolClusters, kNumConcepts> clusters;
+  for (const Concept which : kConcepts) {
+    run.report({"symbols", index(which), kNumConcepts, ""});
+    KMeansOptions options;
+    options.seed = run.options.seed;
+    KMeansResult result =
+        kMeans(tokensOf(train_tokens, which), kConceptCardinality[index(which)], options);
+    manifest.measures["train/suspicious_clusters/" + std::string(name(which))] =
+        result.suspicious ? 1 : 0;
+    clusters[index(which)].centers = std::move(result.centers);
+  }
+
+  const ObservedObjects validation =
+      observe(run, *validation_data, validation_data->size(), "reading concepts-validation");
+  const std::vector<Tokens> plain = learner.encode(validation.inputs);
+  const std::vector<Tokens> changed = learner.encode(
+      varied(validation.inputs, run.profile.concepts.augmentation, run.options.seed));
+  const Symbolizer provisional(clusters);
+  const std::vector<Symbols> train_symbols = nearestSymbols(provisional, train_tokens);
+  const std::vector<Symbols> validation_symbols = nearestSymbols(provisional, plain);
+  std::array<std::vector<int>, kNumConcepts> values;
+  for (const Concept which : kConcepts)
+    values[index(which)] =
+        valuesOf(validation_symbols, validation.values, which, kConceptCardinality[index(which)]);
+  calibrate(clusters, plain, changed, validation.values, values, manifest);
+
+  SymbolGrounding grounding;
+  std::vector<double> x, y;
+  for (const Extent& extent : train.extents) x.push_back(extent.x_m), y.push_back(extent.y_m);
+  const auto cardinality = provisional.cardinality();
+  grounding.columns =
+      orderAlong(train_symbols, Concept::kPositionX, cardinality[index(Concept::kPositionX)], x);
+  grounding.rows =
+      orderAlong(train_symbols, Concept::kPositionY, cardinality[index(Concept::kPositionY)], y);
+  grounding.footprints =
+      footprints(train_symbols, train.extents, cardinality[index(Concept::kType)],
+                 cardinality[index(Concept::kSize)]);
+  grounding.names = symbolNames(values);
+  writeFileAtomically(
+      run.options.model / kSymbolsFile,
+      encodeTensors(tensorsOf(LearnedSymbols{Symbolizer(std::move(clusters)), grounding, values}),
+                    TensorPrecision::kFloat32));
+  return true;
+}
+
+}  // namespace conceptplan::training

@@ -1,0 +1,177 @@
+#include "conceptplan/pipeline/training.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/files/checksum.hpp"
+#include "conceptplan/domain/files/nearest_name.hpp"
+#include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/pipeline/generation.hpp"
+#include "torch_threads.hpp"
+#include "training_stages.hpp"
+
+namespace conceptplan {
+namespace training {
+namespace {
+
+Profile cpuProfile() {
+  Profile profile;
+  profile.name = "cpu";
+  return profile;
+}
+
+Profile fullFrameProfile() {
+  Profile profile = cpuProfile();
+  profile.name = "full-frame";
+  profile.concepts.encoder = EncoderKind::kFullFrame;
+  profile.concepts.groups = 8;
+  return profile;
+}
+
+Profile smokeProfile() {
+  Profile profile;
+  profile.name = "smoke";
+  profile.concept_samples = 1;
+  profile.tasks_per_level = 2;
+  profile.symbol_images = 400;
+  profile.concepts.steps = 4;
+  profile.concepts.groups = 2;
+  profile.concepts.reconstructed_pairs = 2;
+  profile.vict.transition_steps = 4;
+  profile.vict.transition_batch = 8;
+  profile.vict.synthesis_steps = 4;
+  profile.vict.synthesis_batch = 2;
+  return profile;
+}
+
+const char* folderName(Split split) {
+  return split == Split::kTrain ? "concepts-train" : "concepts-validation";
+}
+
+GenerationControl generationControl(const Run& run, const std::string& what) {
+  return {run.options.jobs,
+          [&run, what](std::size_t done, std::size_t total) {
+            run.report({"data: " + what, done, total, ""});
+          },
+          run.control.cancel};
+}
+
+bool complete(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "dataset.json");
+}
+
+}  // namespace
+
+Profile profileNamed(const std::string& name) {
+  for (Profile profile : {cpuProfile(), fullFrameProfile(), smokeProfile()})
+    if (profile.name == name) return profile;
+  std::vector<std::string_view> known{"cpu", "full-frame", "smoke"};
+  throw InputError({{"--profile", std::nullopt, std::nullopt, "",
+                     "unknown profile \"" + name + "\"" + didYouMean(name, known)}});
+}
+
+void Run::report(const TrainingProgress& progress) const {
+  if (control.progress) control.progress(progress);
+}
+
+void Run::log(const std::string& json_line) const {
+  std::ofstream(options.model / "training.jsonl", std::ios::app) << json_line << '\n';
+}
+
+std::filesystem::path Run::checkpoint(TrainingStage stage) const {
+  return options.model / (std::string(name(stage)) + ".checkpoint");
+}
+
+std::optional<ConceptDataset> conceptData(const Run& run, Split split) {
+  const auto folder = run.options.data / folderName(split);
+  const ConceptDatasetOptions wanted{split,
+                                     split == Split::kTrain ? run.profile.concept_samples : 1,
+                                     RenderDomain::kStandard, run.options.seed};
+  if (!complete(folder) &&
+      !generateConcepts(folder, wanted, generationControl(run, folderName(split))))
+    return std::nullopt;
+  ConceptDataset data(folder);
+  if (data.options().split != split)
+    throw InputError({{folder.string(), std::nullopt, std::nullopt, "split",
+                       std::string("expected the ") +
+                           (split == Split::kTrain ? "train" : "validation") + " split"}});
+  return data;
+}
+
+std::optional<TaskDataset> taskData(const Run& run) {
+  const auto folder = run.options.data / "tasks-train";
+  TaskDatasetOptions wanted;
+  wanted.levels = {1, 2, 3, 4};
+  wanted.count = run.profile.tasks_per_level;
+  wanted.seed = run.options.seed;
+  if (!complete(folder) && !generateTasks(folder, wanted, generationControl(run, "tasks-train")))
+    return std::nullopt;
+  TaskDataset data(folder);
+  if (data.options().split != Split::kTrain || data.options().frames != Frames::kAll)
+    throw InputError({{folder.string(), std::nullopt, std::nullopt, "split",
+                       "expected the train split with pictures of all steps"}});
+  return data;
+}
+
+}  // namespace training
+
+std::vector<std::string> trainingProfiles() { return {"cpu", "full-frame", "smoke"}; }
+
+bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
+           const TrainingControl& control) {
+  const training::Run run{options, control, [&] {
+                            training::Profile profile = training::profileNamed(options.profile);
+                            profile.concepts.seed = options.seed;
+                            profile.vict.seed = options.seed;
+                            return profile;
+                          }()};
+  createFolder(options.model);
+  const TorchThreads threads(options.jobs);
+
+  ModelManifest manifest;
+  if (std::filesystem::exists(options.model / "manifest.json"))
+    manifest = readManifest(options.model);
+  for (const TrainingStage stage : stages) {
+    if (options.resume && manifest.has(stage)) continue;
+    // A stage that is made anew undoes those that build on it.
+    std::erase_if(manifest.stages, [&](TrainingStage done) { return done >= stage; });
+    if (stage > TrainingStage::kLearnConcepts &&
+        !manifest.has(static_cast<TrainingStage>(static_cast<int>(stage) - 1)))
+      throw InputError({{options.model.string(), std::nullopt, std::nullopt, "",
+                         "stage " + std::string(name(stage)) + " needs the stages before it"}});
+    if (stage == TrainingStage::kLearnConcepts) {
+      manifest = {};
+      manifest.name = std::filesystem::weakly_canonical(options.model).filename().string();
+      manifest.profile = run.profile.name;
+      manifest.encoder = run.profile.concepts.encoder;
+      manifest.seed = options.seed;
+      manifest.revision = CONCEPTPLAN_REVISION;
+    }
+    bool done = false;
+    switch (stage) {
+      case TrainingStage::kLearnConcepts:
+        done = trainConcepts(run, manifest);
+        break;
+      case TrainingStage::kMakeSymbols:
+        done = makeSymbols(run, manifest);
+        break;
+      case TrainingStage::kCountTransitions:
+        done = countTransitions(run, manifest);
+        break;
+      case TrainingStage::kTrainVict:
+        done = trainVict(run, manifest);
+        break;
+    }
+    if (!done) return false;
+    manifest.stages.push_back(stage);
+    for (const char* data : {"concepts-train", "concepts-validation", "tasks-train"})
+      if (const auto path = options.data / data / "dataset.json"; std::filesystem::exists(path))
+        manifest.data[data] = hexadecimal(crc32OfFile(path));
+    writeManifest(options.model, manifest);
+    std::filesystem::remove(run.checkpoint(stage));
+  }
+  return true;
+}
+
+}  // namespace conceptplan

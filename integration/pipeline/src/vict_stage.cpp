@@ -1,0 +1,101 @@
+#include <nlohmann/json.hpp>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/model/symbolic_model.hpp"
+#include "conceptplan/learner/effect_context.hpp"
+#include "conceptplan/learner/frame_window.hpp"
+#include "conceptplan/learner/learned_symbols.hpp"
+#include "observed_frame.hpp"
+#include "step_loop.hpp"
+
+namespace conceptplan::training {
+namespace {
+
+/// What is known of a task's first picture: the target and the others, as tokens and symbols.
+struct FirstFrame {
+  std::vector<Symbols> others;
+  std::vector<Tokens> other_tokens;
+};
+
+FirstFrame othersOf(const ObservedFrame& frame, std::size_t target, const Symbolizer& symbolizer) {
+  FirstFrame others;
+  for (std::size_t i = 0; i < frame.tokens.size(); ++i)
+    if (i != target) {
+      others.others.push_back(symbolizer.nearest(frame.tokens[i]));
+      others.other_tokens.push_back(frame.tokens[i]);
+    }
+  return others;
+}
+
+SequenceFrame sequenceFrame(const RgbdImage& image, const ObservedFrame& observed,
+                            std::size_t target) {
+  const auto& location = observed.inputs[target].location;
+  return {image.rgb, holeOf(image.mask, image.width, image.height, observed.instances[target]),
+          (location[0] + 1.0) * (kFrameWidth / 2.0), (location[1] + 1.0) * (kFrameHeight / 2.0),
+          observed.tokens[target]};
+}
+
+/// The pictures of a task up to where its target is hidden.
+TaskSequence sequenceOf(const TaskDataset& data, const Task& task, const ConceptLearner& learner,
+                        const Symbolizer& symbolizer, const SymbolicModel& model) {
+  TaskSequence sequence;
+  const auto target_id = static_cast<std::uint8_t>(task.initial.target + 1);
+  FirstFrame others;
+  for (std::size_t step = 0; step <= task.reference.size(); ++step) {
+    const RgbdImage image = data.frame(task, static_cast<int>(step));
+    const ObservedFrame observed = observeFrame(learner, image);
+    const std::size_t target = observed.position(target_id);
+    if (target == observed.instances.size()) break;
+    if (step == 0) {
+      others = othersOf(observed, target, symbolizer);
+    } else {
+      const Action action = task.reference[step - 1];
+      const Tokens& before = sequence.frames.back().tokens;
+      sequence.actions.push_back(action);
+      sequence.contexts.push_back(effectContext(model, action, symbolizer.nearest(before),
+                                                others.others, others.other_tokens));
+    }
+    sequence.frames.push_back(sequenceFrame(image, observed, target));
+  }
+  return sequence;
+}
+
+}  // namespace
+
+bool trainVict(const Run& run, ModelManifest& manifest) {
+  const auto data = taskData(run);
+  if (!data) return false;
+  const auto concepts_path = run.options.model / kConceptsFile;
+  const ConceptLearner learner(decodeTensors(readFile(concepts_path), concepts_path),
+                               manifest.encoder, concepts_path);
+  const auto symbols_path = run.options.model / kSymbolsFile;
+  const LearnedSymbols symbols =
+      learnedSymbolsFrom(decodeTensors(readFile(symbols_path), symbols_path), symbols_path);
+  const SymbolicModel model = readSymbolicModel(run.options.model / kTransitionsFile);
+
+  // Levels follow each other in the dataset; a stride takes tasks of all of them.
+  std::size_t pictures = 0;
+  for (const Task& task : data->tasks()) pictures += task.reference.size() + 1;
+  const std::size_t stride =
+      (pictures + run.profile.synthesis_frames - 1) / run.profile.synthesis_frames;
+  std::vector<TaskSequence> sequences;
+  for (std::size_t i = 0; i < data->tasks().size(); i += stride) {
+    if (run.cancelled()) return false;
+    run.report({"reading tasks-train", i, data->tasks().size(), ""});
+    sequences.push_back(sequenceOf(*data, data->tasks()[i], learner, symbols.symbolizer, model));
+  }
+
+  VictTrainer trainer(sequences, learner, run.profile.vict);
+  const auto describe = [](const VictLosses& losses) {
+    return nlohmann::ordered_json{{"tokens", losses.tokens},
+                                  {"prediction", losses.prediction},
+                                  {"reconstruction", losses.reconstruction}}
+        .dump();
+  };
+  if (!runSteps(run, TrainingStage::kTrainVict, trainer, trainer.stepsInAll(), describe)) return false;
+  writeFileAtomically(run.options.model / kVictFile,
+                      encodeTensors(trainer.tensors(), TensorPrecision::kFloat16));
+  return true;
+}
+
+}  // namespace conceptplan::training

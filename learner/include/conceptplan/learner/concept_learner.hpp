@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "conceptplan/learner/encoder_input.hpp"
+#include "conceptplan/learner/encoder_kind.hpp"
+#include "conceptplan/learner/tensor_file.hpp"
+#include "conceptplan/learner/tokens.hpp"
+
+namespace conceptplan {
+
+/// An object as the decoder draws it.
+struct DrawnObject {
+  static constexpr int kEdge = EncoderInput::kEdge;
+  std::vector<float> rgb;           ///< [3, 64, 64], 0 to 1
+  std::vector<float> alpha;         ///< [64, 64], opacity, 0 to 1
+  std::array<float, 3> location{};  ///< as `EncoderInput::location`
+};
+
+/// The trained concept learner: pictures of objects to concept tokens, and back. Immutable after
+/// construction; threads may share it, each call uses the caller's Torch thread settings.
+class ConceptLearner {
+ public:
+  /// @param path stands in the faults. @throws InputError if tensors are missing or misshaped.
+  ConceptLearner(const NamedTensors& tensors, EncoderKind encoder,
+                 const std::filesystem::path& path);
+  ~ConceptLearner();
+  ConceptLearner(ConceptLearner&&) noexcept;
+  ConceptLearner& operator=(ConceptLearner&&) noexcept;
+
+  /// The tokens of each object, in order.
+  std::vector<Tokens> encode(std::span<const EncoderInput> inputs) const;
+
+  /// Each object as its tokens describe it, in order.
+  std::vector<DrawnObject> draw(std::span<const Tokens> tokens) const;
+
+ private:
+  struct Network;
+  std::unique_ptr<Network> network_;
+};
+
+}  // namespace conceptplan

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "conceptplan/domain/object_crop.hpp"
+
+namespace conceptplan {
+
+/// One object as the encoder sees it: its crop as bytes and where the crop lies in the frame.
+struct EncoderInput {
+  static constexpr int kEdge = ObjectCrop::kEdge;
+  static constexpr int kPixels = kEdge * kEdge;
+  static constexpr int kChannels = 5;  ///< red, green, blue, relative depth, mask
+
+  /// [5, 64, 64]. Depth is relative to the object's median, 1 mm a level, 128 at the median,
+  /// clipped; 0 outside the mask. The mask is 0 or 255.
+  std::vector<std::uint8_t> planes;
+
+  /// Column and row of the crop's centre, from -1 to 1 over the frame, and the median depth of
+  /// the object in units of 0.5 m from 2 m.
+  std::array<float, 3> location{};
+};
+
+/// The bytes of a crop. @throws std::invalid_argument if its planes are not 64 x 64 or no pixel is
+/// on the object.
+EncoderInput encoderInput(const ObjectCrop& crop);
+
+}  // namespace conceptplan

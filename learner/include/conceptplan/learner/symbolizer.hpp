@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+
+#include "conceptplan/domain/symbols.hpp"
+#include "conceptplan/learner/tokens.hpp"
+
+namespace conceptplan {
+
+/// The symbols of one concept: cluster centres of its tokens.
+struct SymbolClusters {
+  TokenMatrix centers;     ///< [symbols, 64]
+  double temperature = 1;  ///< > 0; squared distance at which a centre is e times less probable
+};
+
+/// Makes symbols of tokens. Source: sigma in Sec. III-B of arXiv 2310.03325; the probabilities are
+/// ours: a softmax of minus the squared distance to the centres over the temperature.
+/// Immutable; threads may share it.
+class Symbolizer {
+ public:
+  /// @throws std::invalid_argument if a concept has no centre, a temperature is not positive, or a
+  /// number is not finite.
+  explicit Symbolizer(std::array<SymbolClusters, kNumConcepts> clusters);
+
+  std::array<std::size_t, kNumConcepts> cardinality() const;
+  const SymbolClusters& clusters(Concept which) const { return clusters_[index(which)]; }
+
+  /// How probable each symbol is, for each concept.
+  SymbolBelief belief(const Tokens& tokens) const;
+
+  /// The symbol of the nearest centre, for each concept.
+  Symbols nearest(const Tokens& tokens) const;
+
+ private:
+  std::array<SymbolClusters, kNumConcepts> clusters_;
+};
+
+/// Squared distances of a token to the centres, [symbols].
+Eigen::VectorXd squaredDistances(const SymbolClusters& clusters,
+                                 const Eigen::Ref<const Eigen::RowVectorXf>& token);
+
+/// The temperature with the least negative log likelihood of the right symbols, by golden-section
+/// search on its logarithm. distances [N, symbols]; right [N].
+/// @throws std::invalid_argument if there are no rows or sizes differ.
+double fitTemperature(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right);
+
+/// Expected calibration error over ten bins of confidence, in [0, 1].
+/// Source: Guo et al., ICML 2017. Arguments as `fitTemperature`.
+double calibrationError(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,
+                        double temperature);
+
+}  // namespace conceptplan

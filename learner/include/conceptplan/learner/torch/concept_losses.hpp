@@ -1,0 +1,34 @@
+#pragma once
+
+#include <torch/torch.h>
+
+#include "conceptplan/learner/torch/concept_network.hpp"
+
+namespace conceptplan {
+
+/// Squared error of a drawn object against the truth, each pixel of the object weighted
+/// `foreground_weight` times one of the background, plus the cross-entropy of its mask.
+/// rgb [B, 3, 64, 64] and mask [B, 1, 64, 64] in 0..1 -> scalar.
+/// Source: L_MSE in Eq. (1) of arXiv 2310.03325; the weight and the mask are ours.
+torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& rgb,
+                                 const torch::Tensor& mask, double foreground_weight);
+
+/// Concept disentangling loss: the token of the concept that differs should differ most.
+/// first, second [B, 6, 64]; differing [B] in [0, 6) -> scalar. Source: Eq. (2).
+torch::Tensor conceptDisentanglingLoss(const torch::Tensor& first, const torch::Tensor& second,
+                                       const torch::Tensor& differing);
+
+/// Negative log likelihood that two images of a group show the same value of a concept, or
+/// different ones, each pair kind averaged apart.
+/// values [G, 7, n]: distribution over prototypes of each image; odd [G]: whether image `odd_image`
+/// differs from the six others in this concept -> scalar.
+/// Source: meta classification likelihood, Hsu et al., ICLR 2019 (arXiv 1901.00544), on the
+/// paper's pairs.
+torch::Tensor pairLikelihoodLoss(const torch::Tensor& values, const torch::Tensor& odd,
+                                 std::int64_t odd_image);
+
+/// How far the prototypes' mean use is from uniform: log(n) minus its entropy, 0 at best.
+/// values [B, n] -> scalar.
+torch::Tensor prototypeUseLoss(const torch::Tensor& values);
+
+}  // namespace conceptplan

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <torch/torch.h>
+
+#include <cstdint>
+#include <string>
+
+#include "conceptplan/learner/torch/concept_network.hpp"
+#include "conceptplan/learner/training/anchor_sampler.hpp"
+#include "conceptplan/learner/training/augmentation.hpp"
+#include "conceptplan/learner/training/concept_images.hpp"
+
+namespace conceptplan {
+
+struct ConceptTrainingOptions {
+  EncoderKind encoder = EncoderKind::kObjectCentred;
+  std::int64_t steps = 6000;
+  std::int64_t groups = 24;               ///< anchor groups a step, seven images each
+  double learning_rate = 1.5e-3;          ///< of Adam, at its peak; cosine decay to a fiftieth
+  double warm_up = 0.03;                  ///< share of the steps in which the rate rises
+  double reconstruction_start = 0.4;      ///< share of the steps before the decoder joins
+  std::int64_t reconstructed_pairs = 16;  ///< pairs a step that the decoder draws
+  double foreground_weight = 10;
+  double disentangling_weight = 1;    ///< of Eq. (2)
+  double pair_weight = 1;             ///< of the pair likelihood
+  double use_weight = 0.5;            ///< of the prototypes' even use
+  double reconstruction_weight = 10;  ///< of Eq. (1) and of the direct branch
+  double averaging = 0.998;           ///< decay of the weights' moving average
+  AugmentationOptions augmentation;
+  std::uint64_t seed = 0;
+};
+
+/// Losses of one step; those of the decoder are 0 before it joins.
+struct ConceptLosses {
+  double disentangling = 0;  ///< Eq. (2)
+  double pair = 0;
+  double use = 0;
+  double reconstruction = 0;  ///< Eq. (1)
+  double direct = 0;          ///< direct branch of Eq. (3)
+  double location = 0;
+};
+
+/// Trains the concept network on anchor groups: Eq. (3) of arXiv 2310.03325, with the pair
+/// likelihood on prototypes beside it. Each step draws from a generator of its own, so that a
+/// resumed run takes the same steps.
+class ConceptTrainer {
+ public:
+  /// Keeps a reference to `images`.
+  ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options);
+
+  ConceptLosses step();
+  std::int64_t stepsDone() const { return steps_done_; }
+
+  /// The network with the moving average of its weights; shares nothing with the one in training.
+  ConceptNetwork averaged() const;
+
+  /// All that a resumed run needs.
+  std::string checkpoint() const;
+  /// @throws c10::Error if the bytes are not a checkpoint of the same network.
+  void restore(const std::string& checkpoint);
+
+ private:
+  const ConceptImages& images_;
+  ConceptTrainingOptions options_;
+  AnchorSampler sampler_;
+  ConceptNetwork network_;
+  ConceptNetwork average_;
+  torch::optim::AdamW optimizer_;
+  std::int64_t steps_done_ = 0;
+};
+
+}  // namespace conceptplan

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <torch/torch.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "conceptplan/learner/concept_learner.hpp"
+#include "conceptplan/learner/torch/causal_transition.hpp"
+#include "conceptplan/learner/torch/frame_synthesizer.hpp"
+#include "conceptplan/learner/training/task_sequences.hpp"
+
+namespace conceptplan {
+
+struct VictTrainingOptions {
+  std::int64_t transition_steps = 3000;
+  std::int64_t transition_batch = 256;
+  std::int64_t synthesis_steps = 4000;
+  std::int64_t synthesis_batch = 12;
+  double learning_rate = 1e-3;  ///< of Adam, at its peak; cosine decay to a fiftieth
+  double averaging = 0.998;     ///< decay of the synthesizer's moving average
+  std::uint64_t seed = 0;
+};
+
+/// Mean squared errors of one step; the terms of Eq. (8) of arXiv 2310.03325.
+struct VictLosses {
+  double tokens = 0;          ///< L_MSE(C1', C1)
+  double prediction = 0;      ///< L_MSE(X~1, X1), within windows
+  double reconstruction = 0;  ///< L_MSE(X0', X0), within windows
+};
+
+/// Trains ViCT in two phases: the causal transition on tokens, then the frame synthesizer on
+/// windows with objects as the transition predicts them. The paper trains both at once; since the
+/// concept learner is fixed, the token term has the same minimum alone, at a fraction of the cost.
+/// Each step draws from a generator of its own, so that a resumed run takes the same steps.
+class VictTrainer {
+ public:
+  /// Keeps references to both.
+  VictTrainer(const std::vector<TaskSequence>& sequences, const ConceptLearner& learner,
+              const VictTrainingOptions& options);
+
+  VictLosses step();
+  std::int64_t stepsDone() const { return steps_done_; }
+  std::int64_t stepsInAll() const { return options_.transition_steps + options_.synthesis_steps; }
+
+  /// Parameters as `VisualTransition` takes them.
+  NamedTensors tensors() const;
+
+  std::string checkpoint() const;
+  /// @throws c10::Error if the bytes are not a checkpoint of the same networks.
+  void restore(const std::string& checkpoint);
+
+ private:
+  VictLosses transitionStep(std::mt19937_64& generator);
+  VictLosses synthesisStep(std::mt19937_64& generator);
+  void setLearningRate(torch::optim::AdamW& optimizer, double progress) const;
+
+  const std::vector<TaskSequence>& sequences_;
+  const ConceptLearner& learner_;
+  VictTrainingOptions options_;
+  CausalTransition transition_;
+  FrameSynthesizer synthesizer_;
+  FrameSynthesizer average_;
+  torch::optim::AdamW transition_optimizer_;
+  torch::optim::AdamW synthesis_optimizer_;
+  std::int64_t steps_done_ = 0;
+};
+
+}  // namespace conceptplan

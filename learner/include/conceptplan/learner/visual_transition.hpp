@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "conceptplan/domain/action.hpp"
+#include "conceptplan/domain/image.hpp"
+#include "conceptplan/learner/concept_learner.hpp"
+
+namespace conceptplan {
+
+/// The trained visual causal transition model (ViCT): what an action does to tokens, and the
+/// picture of the workbench after it. Source: Sec. III-C of arXiv 2310.03325. Immutable; threads
+/// may share it.
+class VisualTransition {
+ public:
+  /// @param path stands in the faults. @throws InputError if tensors are missing or misshaped.
+  VisualTransition(const NamedTensors& tensors, const std::filesystem::path& path);
+  ~VisualTransition();
+  VisualTransition(VisualTransition&&) noexcept;
+  VisualTransition& operator=(VisualTransition&&) noexcept;
+
+  /// C1' = T(C0, V(a)), Eq. (7). `context` is that of `effectContext`.
+  Tokens apply(const Tokens& tokens, const Tokens& context, Action action) const;
+
+  /// The picture `initial` with the instance gone from its place and the object drawn instead:
+  /// [height, width, 3]. @throws std::invalid_argument if the picture has no such instance, or is
+  /// smaller than a window of 96 x 96.
+  std::vector<std::uint8_t> synthesize(const RgbdImage& initial, std::uint8_t instance,
+                                       const DrawnObject& object) const;
+
+ private:
+  struct Networks;
+  std::unique_ptr<Networks> networks_;
+};
+
+}  // namespace conceptplan

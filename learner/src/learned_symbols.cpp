@@ -1,0 +1,167 @@
+#include "conceptplan/learner/learned_symbols.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "conceptplan/domain/input_error.hpp"
+
+namespace conceptplan {
+namespace {
+
+std::string prefix(Concept which) { return "symbols." + std::string(name(which)) + "."; }
+
+NamedTensor vectorOf(const std::vector<int>& numbers) {
+  return {{static_cast<std::int64_t>(numbers.size())}, {numbers.begin(), numbers.end()}};
+}
+
+std::string valueName(Concept which, int value) {
+  switch (which) {
+    case Concept::kType:
+      return std::string(name(static_cast<ObjectType>(value)));
+    case Concept::kPositionX:
+      return "column " + std::to_string(value);
+    case Concept::kPositionY:
+      return "row " + std::to_string(value);
+    case Concept::kRotation:
+      return std::to_string(90 * value) + " degrees";
+    case Concept::kColor:
+      return std::string(colorName(value));
+    case Concept::kSize:
+      return "size " + std::to_string(value + 1) + " of 4";
+  }
+  return "";
+}
+
+/// Reads tensors of one file and collects what is wrong with them.
+class TensorReader {
+ public:
+  TensorReader(const NamedTensors& tensors, const std::filesystem::path& path)
+      : tensors_(tensors), path_(path) {}
+
+  const NamedTensor* find(const std::string& key, std::size_t dimensions) {
+    const auto found = tensors_.find(key);
+    if (found != tensors_.end() && found->second.shape.size() == dimensions) return &found->second;
+    fault(key,
+          "expected a tensor of " + std::to_string(dimensions) + " dimensions, found " +
+              (found == tensors_.end() ? std::string("none")
+                                       : "one of " + std::to_string(found->second.shape.size())));
+    return nullptr;
+  }
+
+  std::vector<int> integers(const std::string& key, std::size_t count, int limit) {
+    std::vector<int> numbers;
+    if (const NamedTensor* tensor = find(key, 1))
+      for (const float value : tensor->values)
+        if (value >= 0 && value < static_cast<float>(limit))
+          numbers.push_back(static_cast<int>(value));
+    if (numbers.size() != count)
+      fault(key, "expected " + std::to_string(count) + " numbers from 0 to " +
+                     std::to_string(limit - 1));
+    numbers.resize(count);
+    return numbers;
+  }
+
+  void fault(const std::string& key, const std::string& message) {
+    faults_.push_back({path_.string(), std::nullopt, std::nullopt, key, message});
+  }
+
+  void throwIfFaulty() {
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+  }
+
+ private:
+  const NamedTensors& tensors_;
+  const std::filesystem::path& path_;
+  std::vector<Fault> faults_;
+};
+
+constexpr int kMostCells = 1000;  // columns or rows of a workbench
+
+}  // namespace
+
+std::array<std::vector<std::string>, kNumConcepts> symbolNames(
+    const std::array<std::vector<int>, kNumConcepts>& values) {
+  std::array<std::vector<std::string>, kNumConcepts> names;
+  for (const Concept which : kConcepts)
+    for (const int value : values[index(which)])
+      names[index(which)].push_back(valueName(which, value));
+  return names;
+}
+
+NamedTensors tensorsOf(const LearnedSymbols& symbols) {
+  NamedTensors tensors;
+  for (const Concept which : kConcepts) {
+    const SymbolClusters& clusters = symbols.symbolizer.clusters(which);
+    const float* from = clusters.centers.data();
+    tensors[prefix(which) + "centers"] = {{clusters.centers.rows(), clusters.centers.cols()},
+                                          {from, from + clusters.centers.size()}};
+    tensors[prefix(which) + "temperature"] = {{1}, {static_cast<float>(clusters.temperature)}};
+    tensors[prefix(which) + "values"] = vectorOf(symbols.values[index(which)]);
+  }
+  tensors["grounding.columns"] = vectorOf(symbols.grounding.columns);
+  tensors["grounding.rows"] = vectorOf(symbols.grounding.rows);
+  NamedTensor& footprints = tensors["grounding.footprints"];
+  footprints.shape = {static_cast<std::int64_t>(symbols.grounding.footprints.size()),
+                      static_cast<std::int64_t>(symbols.grounding.footprints.front().size()), 2};
+  for (const auto& of_type : symbols.grounding.footprints)
+    for (const Footprint& footprint : of_type) {
+      footprints.values.push_back(static_cast<float>(footprint.radius_m));
+      footprints.values.push_back(static_cast<float>(footprint.height_m));
+    }
+  return tensors;
+}
+
+LearnedSymbols learnedSymbolsFrom(const NamedTensors& tensors, const std::filesystem::path& path) {
+  TensorReader reader(tensors, path);
+  std::array<SymbolClusters, kNumConcepts> clusters;
+  std::array<std::vector<int>, kNumConcepts> values;
+  std::array<std::size_t, kNumConcepts> cardinality{};
+  for (const Concept which : kConcepts) {
+    const std::size_t k = index(which);
+    const NamedTensor* centers = reader.find(prefix(which) + "centers", 2);
+    const NamedTensor* temperature = reader.find(prefix(which) + "temperature", 1);
+    if (centers == nullptr || temperature == nullptr) continue;
+    if (centers->shape[0] < 1 || centers->shape[1] != TokenMatrix::ColsAtCompileTime ||
+        temperature->values.size() != 1) {
+      reader.fault(prefix(which) + "centers", "expected [n, 64] centres and one temperature");
+      continue;
+    }
+    cardinality[k] = static_cast<std::size_t>(centers->shape[0]);
+    clusters[k].centers = Eigen::Map<const TokenMatrix>(centers->values.data(), centers->shape[0],
+                                                        TokenMatrix::ColsAtCompileTime);
+    clusters[k].temperature = temperature->values.front();
+    if (!(clusters[k].temperature > 0))
+      reader.fault(prefix(which) + "temperature", "expected a positive number");
+    values[k] = reader.integers(prefix(which) + "values", cardinality[k],
+                                static_cast<int>(kConceptCardinality[k]));
+  }
+  SymbolGrounding grounding;
+  grounding.columns =
+      reader.integers("grounding.columns", cardinality[index(Concept::kPositionX)], kMostCells);
+  grounding.rows =
+      reader.integers("grounding.rows", cardinality[index(Concept::kPositionY)], kMostCells);
+  const std::size_t types = cardinality[index(Concept::kType)];
+  const std::size_t sizes = cardinality[index(Concept::kSize)];
+  const NamedTensor* footprints = reader.find("grounding.footprints", 3);
+  if (footprints != nullptr && footprints->values.size() == 2 * types * sizes) {
+    const float* from = footprints->values.data();
+    grounding.footprints.assign(types, std::vector<Footprint>(sizes));
+    for (auto& of_type : grounding.footprints)
+      for (Footprint& footprint : of_type) {
+        footprint = {from[0], from[1]};
+        from += 2;
+      }
+  } else if (footprints != nullptr) {
+    reader.fault("grounding.footprints", "expected [types, sizes, 2]");
+  }
+  reader.throwIfFaulty();
+  grounding.names = symbolNames(values);
+  for (const std::string& message : grounding.faults(cardinality))
+    reader.fault("grounding", message);
+  reader.throwIfFaulty();
+  return {Symbolizer(std::move(clusters)), std::move(grounding), std::move(values)};
+}
+
+}  // namespace conceptplan

@@ -1,0 +1,64 @@
+#include "conceptplan/learner/concept_learner.hpp"
+
+#include <algorithm>
+
+#include "conceptplan/learner/torch/concept_network.hpp"
+#include "conceptplan/learner/torch/encoder_batch.hpp"
+#include "conceptplan/learner/torch/module_tensors.hpp"
+#include "conceptplan/learner/torch/token_tensors.hpp"
+
+namespace conceptplan {
+
+struct ConceptLearner::Network {
+  ConceptNetwork network;
+};
+
+ConceptLearner::ConceptLearner(const NamedTensors& tensors, EncoderKind encoder,
+                               const std::filesystem::path& path)
+    : network_(std::make_unique<Network>(Network{ConceptNetwork(encoder)})) {
+  setTensors(*network_->network, tensors, "concepts.", path);
+  network_->network->eval();
+}
+
+ConceptLearner::~ConceptLearner() = default;
+ConceptLearner::ConceptLearner(ConceptLearner&&) noexcept = default;
+ConceptLearner& ConceptLearner::operator=(ConceptLearner&&) noexcept = default;
+
+std::vector<Tokens> ConceptLearner::encode(std::span<const EncoderInput> inputs) const {
+  constexpr std::size_t kBatch = 64;
+  const torch::InferenceMode inference;
+  ConceptNetwork& network = network_->network;
+  std::vector<Tokens> tokens;
+  for (std::size_t begin = 0; begin < inputs.size(); begin += kBatch) {
+    const EncoderBatch batch =
+        encoderBatch(inputs.subspan(begin, std::min(kBatch, inputs.size() - begin)));
+    const auto z =
+        network->encode(encoderPlanes(batch.bytes, batch.location, network->encoderKind()));
+    const auto part = toTokens(network->tokenize(z, batch.location));
+    tokens.insert(tokens.end(), part.begin(), part.end());
+  }
+  return tokens;
+}
+
+std::vector<DrawnObject> ConceptLearner::draw(std::span<const Tokens> tokens) const {
+  if (tokens.empty()) return {};
+  const torch::InferenceMode inference;
+  const auto input = toTensor(tokens);
+  ConceptNetwork& network = network_->network;
+  const DecodedObject decoded = network->decode(network->detokenize(input));
+  const auto rgb = decoded.rgb.contiguous();
+  const auto alpha = torch::sigmoid(decoded.mask_logits).contiguous();
+  const auto location = network->locate(input).contiguous();
+  constexpr std::size_t kPixels = EncoderInput::kPixels;
+  std::vector<DrawnObject> drawn(tokens.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const float* from = rgb.data_ptr<float>() + i * 3 * kPixels;
+    drawn[i].rgb.assign(from, from + 3 * kPixels);
+    from = alpha.data_ptr<float>() + i * kPixels;
+    drawn[i].alpha.assign(from, from + kPixels);
+    std::copy_n(location.data_ptr<float>() + 3 * i, 3, drawn[i].location.begin());
+  }
+  return drawn;
+}
+
+}  // namespace conceptplan

@@ -1,0 +1,175 @@
+#include "conceptplan/learner/torch/concept_trainer.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include "conceptplan/learner/torch/concept_losses.hpp"
+#include "conceptplan/learner/torch/encoder_batch.hpp"
+#include "conceptplan/learner/torch/training_state.hpp"
+
+namespace conceptplan {
+namespace {
+
+constexpr std::int64_t kGroupImages = 1 + static_cast<std::int64_t>(kNumConcepts);
+
+/// One batch of anchor groups.
+struct AnchorBatch {
+  EncoderBatch images;    // G * 7
+  torch::Tensor differs;  // [G, 6]: whether partner k differs in concept k
+};
+
+AnchorBatch drawBatch(const ConceptImages& images, const AnchorSampler& sampler,
+                      const ConceptTrainingOptions& options, std::mt19937_64& generator) {
+  auto differs =
+      torch::empty({options.groups, static_cast<std::int64_t>(kNumConcepts)}, torch::kBool);
+  auto* differ = differs.data_ptr<bool>();
+  std::vector<EncoderInput> inputs;
+  for (std::int64_t g = 0; g < options.groups; ++g) {
+    const AnchorGroup group = sampler.draw(generator);
+    differ = std::copy(group.differs.begin(), group.differs.end(), differ);
+    for (const std::size_t image : group.images) {
+      const std::size_t occluder = generator() % images.size();
+      inputs.push_back(augmented(images.planes(image), images.location(image),
+                                 images.planes(occluder), options.augmentation, generator));
+    }
+  }
+  return {encoderBatch(inputs), differs};
+}
+
+/// A fresh network whose weights depend on the seed alone.
+ConceptNetwork seededNetwork(EncoderKind encoder, std::uint64_t seed) {
+  torch::manual_seed(seed);
+  return ConceptNetwork(encoder);
+}
+
+}  // namespace
+
+ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options)
+    : images_(images),
+      options_(options),
+      sampler_(images),
+      network_(seededNetwork(options.encoder, options.seed)),
+      average_(options.encoder),
+      optimizer_(network_->parameters(),
+                 torch::optim::AdamWOptions(options.learning_rate).weight_decay(1e-4)) {
+  copyParameters(*average_, *network_);
+}
+
+ConceptLosses ConceptTrainer::step() {
+  auto generator = stepGenerator(options_.seed, steps_done_);
+  const AnchorBatch batch = drawBatch(images_, sampler_, options_, generator);
+  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
+  const auto z = network_->encode(planes);
+  const auto tokens = network_->tokenize(z, batch.images.location);
+  const auto groups = tokens.view({options_.groups, kGroupImages, kNumConcepts, kTokenWidth});
+
+  ConceptLosses losses;
+  // Eq. (2) on each anchor and its partners that differ from it.
+  const auto pairs = batch.differs.nonzero();  // [P, 2]: group, concept
+  const auto anchors = groups.index({pairs.select(1, 0), 0});
+  const auto partners = groups.index({pairs.select(1, 0), pairs.select(1, 1) + 1});
+  const auto disentangling =
+      conceptDisentanglingLoss(anchors, partners, pairs.select(1, 1).contiguous());
+  auto pair = torch::zeros({});
+  auto use = torch::zeros({});
+  for (const Concept which : kConcepts) {
+    const auto values = torch::softmax(network_->prototypeLogits(tokens, which), -1);
+    const auto k = static_cast<std::int64_t>(index(which));
+    pair = pair + pairLikelihoodLoss(values.view({options_.groups, kGroupImages, -1}),
+                                     batch.differs.select(1, k), 1 + k);
+    use = use + prototypeUseLoss(values);
+  }
+  auto total = options_.disentangling_weight * disentangling + options_.pair_weight * pair +
+               options_.use_weight * use;
+  losses.disentangling = disentangling.item<double>();
+  losses.pair = pair.item<double>();
+  losses.use = use.item<double>();
+
+  const auto reconstruction_from = static_cast<std::int64_t>(options_.reconstruction_start *
+                                                             static_cast<double>(options_.steps));
+  if (steps_done_ >= reconstruction_from && pairs.size(0) > 0) {
+    // Eq. (1): the anchor from its own tokens, the partner from the anchor's tokens with one
+    // substituted; and the direct branch of Eq. (3) from the anchor's latent embedding.
+    std::vector<std::int64_t> order(static_cast<std::size_t>(pairs.size(0)));
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), generator);
+    const auto drawn_pairs =
+        pairs.index({torch::tensor(order).slice(0, 0, options_.reconstructed_pairs)});
+    const auto first = drawn_pairs.select(1, 0) * kGroupImages;
+    const auto second = first + drawn_pairs.select(1, 1) + 1;
+    auto substituted = tokens.index({first});
+    const auto one_hot =
+        torch::one_hot(drawn_pairs.select(1, 1), static_cast<std::int64_t>(kNumConcepts))
+            .to(torch::kBool)
+            .unsqueeze(-1);
+    substituted = torch::where(one_hot, tokens.index({second}), substituted);
+    const auto both = torch::cat({tokens.index({first}), substituted});
+    const auto targets = torch::cat({first, second});
+    const auto crops = batch.images.bytes.index({targets}).to(torch::kFloat) / 255.0;
+    const auto rgb = crops.slice(1, 0, 3), mask = crops.slice(1, 4, 5);
+    const auto reconstruction = 2 * reconstructionLoss(network_->decode(network_->detokenize(both)),
+                                                       rgb, mask, options_.foreground_weight);
+    const auto half = first.size(0);
+    const auto direct =
+        reconstructionLoss(network_->decode(z.index({first})), rgb.slice(0, 0, half),
+                           mask.slice(0, 0, half), options_.foreground_weight);
+    const auto location = torch::smooth_l1_loss(network_->locate(both),
+                                                batch.images.location.index({targets}), 1, 0.05);
+    total = total + options_.reconstruction_weight * (reconstruction + direct) + location;
+    losses.reconstruction = reconstruction.item<double>();
+    losses.direct = direct.item<double>();
+    losses.location = location.item<double>();
+  }
+
+  for (auto& group : optimizer_.param_groups())
+    static_cast<torch::optim::AdamWOptions&>(group.options())
+        .lr(options_.learning_rate * learningRateShare(static_cast<double>(steps_done_) /
+                                                           static_cast<double>(options_.steps),
+                                                       options_.warm_up));
+  optimizer_.zero_grad();
+  total.backward();
+  torch::nn::utils::clip_grad_norm_(network_->parameters(), 5.0);
+  optimizer_.step();
+  ++steps_done_;
+  updateAverage(*average_, *network_, options_.averaging, steps_done_);
+  return losses;
+}
+
+ConceptNetwork ConceptTrainer::averaged() const {
+  ConceptNetwork copy(options_.encoder);
+  copyParameters(*copy, *average_);
+  copy->eval();
+  return copy;
+}
+
+std::string ConceptTrainer::checkpoint() const {
+  torch::serialize::OutputArchive archive, network, average, optimizer;
+  network_->save(network);
+  average_->save(average);
+  optimizer_.save(optimizer);
+  archive.write("network", network);
+  archive.write("average", average);
+  archive.write("optimizer", optimizer);
+  archive.write("steps_done", torch::tensor(steps_done_));
+  std::ostringstream bytes;
+  archive.save_to(bytes);
+  return bytes.str();
+}
+
+void ConceptTrainer::restore(const std::string& checkpoint) {
+  torch::serialize::InputArchive archive, network, average, optimizer;
+  std::istringstream bytes(checkpoint);
+  archive.load_from(bytes);
+  archive.read("network", network);
+  archive.read("average", average);
+  archive.read("optimizer", optimizer);
+  torch::Tensor steps_done;
+  archive.read("steps_done", steps_done);
+  network_->load(network);
+  average_->load(average);
+  optimizer_.load(optimizer);
+  steps_done_ = steps_done.item<std::int64_t>();
+}
+
+}  // namespace conceptplan

@@ -1,0 +1,43 @@
+#include "conceptplan/learner/torch/encoder_batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conceptplan {
+namespace {
+constexpr std::int64_t kEdge = EncoderInput::kEdge;
+}
+
+EncoderBatch encoderBatch(std::span<const EncoderInput> inputs) {
+  const auto count = static_cast<std::int64_t>(inputs.size());
+  EncoderBatch batch{torch::empty({count, EncoderInput::kChannels, kEdge, kEdge}, torch::kUInt8),
+                     torch::empty({count, 3})};
+  auto* bytes = batch.bytes.data_ptr<std::uint8_t>();
+  auto* location = batch.location.data_ptr<float>();
+  for (const EncoderInput& input : inputs) {
+    bytes = std::copy(input.planes.begin(), input.planes.end(), bytes);
+    location = std::copy(input.location.begin(), input.location.end(), location);
+  }
+  return batch;
+}
+
+torch::Tensor encoderPlanes(const torch::Tensor& bytes, const torch::Tensor& location,
+                            EncoderKind encoder) {
+  const auto planes = bytes.to(torch::kFloat) / 255.0;
+  if (encoder == EncoderKind::kObjectCentred) return planes;
+  auto frame = torch::zeros({bytes.size(0), 4, kFrameHeight, kFrameWidth});
+  for (std::int64_t i = 0; i < bytes.size(0); ++i) {
+    const auto left = std::lround((location[i][0].item<float>() + 1) * (kFrameWidth / 2.0)) - 32;
+    const auto top = std::lround((location[i][1].item<float>() + 1) * (kFrameHeight / 2.0)) - 32;
+    const std::int64_t x0 = std::clamp<std::int64_t>(left, 0, kFrameWidth);
+    const std::int64_t y0 = std::clamp<std::int64_t>(top, 0, kFrameHeight);
+    const std::int64_t x1 = std::clamp<std::int64_t>(left + kEdge, 0, kFrameWidth);
+    const std::int64_t y1 = std::clamp<std::int64_t>(top + kEdge, 0, kFrameHeight);
+    if (x1 <= x0 || y1 <= y0) continue;
+    frame[i].slice(1, y0, y1).slice(2, x0, x1).copy_(
+        planes[i].slice(0, 0, 4).slice(1, y0 - top, y1 - top).slice(2, x0 - left, x1 - left));
+  }
+  return torch::adaptive_avg_pool2d(frame, {256, 256});
+}
+
+}  // namespace conceptplan

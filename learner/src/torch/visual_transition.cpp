@@ -1,0 +1,115 @@
+#include "conceptplan/learner/visual_transition.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "conceptplan/learner/frame_window.hpp"
+#include "conceptplan/learner/torch/causal_transition.hpp"
+#include "conceptplan/learner/torch/frame_synthesizer.hpp"
+#include "conceptplan/learner/torch/module_tensors.hpp"
+#include "conceptplan/learner/torch/token_tensors.hpp"
+
+namespace conceptplan {
+namespace {
+
+constexpr int kEdge = FrameWindow::kEdge;
+
+/// Middle of the bounding box of the hole, pixels.
+std::array<double, 2> middleOf(const std::vector<std::uint8_t>& hole, int width) {
+  int left = width, right = -1, top = static_cast<int>(hole.size()), bottom = -1;
+  for (std::size_t i = 0; i < hole.size(); ++i)
+    if (hole[i] != 0) {
+      const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+      left = std::min(left, x), right = std::max(right, x);
+      top = std::min(top, y), bottom = std::max(bottom, y);
+    }
+  return {0.5 * (left + right), 0.5 * (top + bottom)};
+}
+
+/// How much a window counts at its pixel: falls to its edges, so that windows blend.
+float windowWeight(int x, int y) {
+  const int margin = std::min({x, y, kEdge - 1 - x, kEdge - 1 - y});
+  return std::min(1.0F, static_cast<float>(margin + 1) / 12.0F);
+}
+
+}  // namespace
+
+struct VisualTransition::Networks {
+  CausalTransition transition;
+  FrameSynthesizer synthesizer;
+};
+
+VisualTransition::VisualTransition(const NamedTensors& tensors, const std::filesystem::path& path)
+    : networks_(std::make_unique<Networks>()) {
+  setTensors(*networks_->transition, tensors, "transition.", path);
+  setTensors(*networks_->synthesizer, tensors, "synthesizer.", path);
+  networks_->transition->eval();
+  networks_->synthesizer->eval();
+}
+
+VisualTransition::~VisualTransition() = default;
+VisualTransition::VisualTransition(VisualTransition&&) noexcept = default;
+VisualTransition& VisualTransition::operator=(VisualTransition&&) noexcept = default;
+
+Tokens VisualTransition::apply(const Tokens& tokens, const Tokens& context, Action action) const {
+  const torch::InferenceMode inference;
+  const auto next = networks_->transition->forward(
+      toTensor({&tokens, 1}), toTensor({&context, 1}),
+      torch::full({1}, static_cast<std::int64_t>(index(action)), torch::kLong));
+  return toTokens(next).front();
+}
+
+std::vector<std::uint8_t> VisualTransition::synthesize(const RgbdImage& initial,
+                                                       std::uint8_t instance,
+                                                       const DrawnObject& object) const {
+  if (instance == 0 ||
+      std::find(initial.mask.begin(), initial.mask.end(), instance) == initial.mask.end())
+    throw std::invalid_argument("synthesize: the picture has no instance " +
+                                std::to_string(instance));
+  const auto hole = holeOf(initial.mask, initial.width, initial.height, instance);
+  const auto old_place = middleOf(hole, initial.width);
+  const WindowCorner crop = cropCorner(object);
+  const double half = DrawnObject::kEdge / 2.0;
+  const std::array<WindowCorner, 2> corners{
+      windowAround(old_place[0], old_place[1], initial.width, initial.height),
+      windowAround(crop.left + half, crop.top + half, initial.width, initial.height)};
+
+  auto planes = torch::empty({2, 8, kEdge, kEdge});
+  for (std::int64_t i = 0; i < 2; ++i) {
+    const FrameWindow window =
+        cutWindow(initial.rgb, hole, initial.width, corners[static_cast<std::size_t>(i)], object);
+    planes[i].copy_(torch::tensor(window.planes).view({8, kEdge, kEdge}));
+  }
+  const torch::InferenceMode inference;
+  const auto drawn = networks_->synthesizer
+                         ->forward(planes.slice(1, 0, 3), planes.slice(1, 3, 4),
+                                   planes.slice(1, 4, 7), planes.slice(1, 7, 8))
+                         .contiguous();
+
+  // Windows blend into each other and, over a thin margin, into the frame.
+  std::vector<float> sum(initial.rgb.size(), 0.0F), weight(initial.mask.size(), 0.0F);
+  const float* from = drawn.data_ptr<float>();
+  for (const WindowCorner& corner : corners)
+    for (int channel = 0; channel < 3; ++channel)
+      for (int y = 0; y < kEdge; ++y)
+        for (int x = 0; x < kEdge; ++x, ++from) {
+          const auto pixel =
+              static_cast<std::size_t>((corner.top + y) * initial.width + corner.left + x);
+          sum[3 * pixel + static_cast<std::size_t>(channel)] += windowWeight(x, y) * *from;
+          if (channel == 0) weight[pixel] += windowWeight(x, y);
+        }
+  std::vector<std::uint8_t> rgb = initial.rgb;
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    const float total = weight[i / 3];
+    if (total <= 0) continue;
+    const float kept = std::max(0.0F, 1.0F - total) * static_cast<float>(rgb[i]) / 255.0F;
+    const float value = (sum[i] + kept) / std::max(1.0F, total);
+    rgb[i] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
+  }
+  return rgb;
+}
+
+}  // namespace conceptplan
