@@ -3,10 +3,12 @@ find_package(embree 3.13 REQUIRED)
 conceptplan_library(rendering
   HEADERS
     include/conceptplan/domain/rendering/appearance.hpp
+    include/conceptplan/domain/rendering/contact_sheet.hpp
     include/conceptplan/domain/rendering/renderer.hpp
   SOURCES
     src/rendering/appearance.cpp
     src/rendering/color.cpp
+    src/rendering/contact_sheet.cpp
     src/rendering/food_models.cpp
     src/rendering/kitchenware_models.cpp
     src/rendering/light.cpp
@@ -21,4 +23,4 @@ conceptplan_library(rendering
     src/rendering/texture.cpp
     src/rendering/triangle_scene.cpp
   PUBLIC conceptplan::domain
-  PRIVATE embree)
+  PRIVATE embree opencv_core opencv_imgproc)

@@ -159,7 +159,7 @@ Mesh lettuceModel() {
 Mesh tomatoModel() {
   MeshBuilder builder;
   // The crown leans towards +x, and the stem lies out over that side.
-  builder.placement = Translation3f(-0.008F, 0, 0.058F) * AngleAxisf(0.50F, Vector3f::UnitY());
+  builder.placement = Translation3f(-0.010F, 0, 0.0605F) * AngleAxisf(0.50F, Vector3f::UnitY());
   const auto skin = [](float u, float v) {
     const Vector3f d = onSphere(u, v);
     const float polar = std::max(d.z(), 0.0F);
@@ -184,7 +184,7 @@ Mesh tomatoModel() {
         plain(kStemGreen));
   }
   builder.tube(
-      spline3({{0, 0, 0.040F}, {0.004F, 0, 0.062F}, {0.030F, 0, 0.083F}, {0.066F, 0, 0.092F}}),
+      spline3({{0, 0, 0.040F}, {0.004F, 0, 0.062F}, {0.027F, 0, 0.079F}, {0.053F, 0, 0.077F}}),
       [](float t) { return Vector2f(0.0085F + 0.003F * t, 0); }, plain(kStemGreen));
   return builder.take();
 }

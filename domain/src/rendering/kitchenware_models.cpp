@@ -107,8 +107,8 @@ Mesh potModel() {
       spline3({{0.026F, 0, 0.062F}, {0.045F, 0, 0.067F}, {0.074F, 0, 0.070F}}),
       [](float t) { return Vector2f(0.0085F + 0.0025F * t, 0); }, plain(kBlack));
   builder.tube(spline3({{-0.068F, 0.018F, 0.062F},
-                        {-0.080F, 0.012F, 0.064F},
-                        {-0.080F, -0.012F, 0.064F},
+                        {-0.0785F, 0.012F, 0.064F},
+                        {-0.0785F, -0.012F, 0.064F},
                         {-0.068F, -0.018F, 0.062F}}),
                thick(0.0045F), plain(kSteel));
   return builder.take();
