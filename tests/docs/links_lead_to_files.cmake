@@ -1,0 +1,22 @@
+# Fails if a relative link or picture of a Markdown document in ROOT leads nowhere.
+file(GLOB documents RELATIVE ${ROOT} ${ROOT}/*.md ${ROOT}/docs/*.md ${ROOT}/scenarios/*.md
+                                     ${ROOT}/tests/*/*.md)
+set(broken "")
+foreach(document IN LISTS documents)
+  file(READ ${ROOT}/${document} text)
+  string(REPLACE "[" "(" text "${text}")  # brackets would hold list items together
+  string(REPLACE "]" ")" text "${text}")
+  string(REPLACE ";" "," text "${text}")
+  string(REGEX MATCHALL "\\)\\(([^)]+)" links "${text}")
+  get_filename_component(folder ${ROOT}/${document} DIRECTORY)
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^\\)\\(|#.*$" "" path "${link}")
+    if(path MATCHES "^[a-z]+:" OR path STREQUAL "" OR EXISTS "${folder}/${path}")
+      continue()
+    endif()
+    string(APPEND broken "\n  ${document}: ${path}")
+  endforeach()
+endforeach()
+if(broken)
+  message(FATAL_ERROR "links that lead nowhere:${broken}")
+endif()
