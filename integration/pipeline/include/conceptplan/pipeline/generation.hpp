@@ -16,7 +16,7 @@ struct GenerationControl {
 
   /// Called with the pictures that are there and those of the finished set; by one thread at a
   /// time, but not always the same.
-  std::function<void(std::size_t done, std::size_t total)> progress;
+  std::function<void(std::size_t done, std::size_t total)> progress = {};
 
   const std::atomic<bool>* cancel = nullptr;  ///< generation ends soon after it turns true
 };
