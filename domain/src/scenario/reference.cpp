@@ -68,11 +68,12 @@ class ReferenceReader {
 
   void readDomain(YamlMap& root) {
     const std::optional<std::string> text = root.text("domain");
-    if (!text || *text == "standard") return;
-    if (*text != "shifted") {
+    if (!text) return;
+    if (const auto domain = renderDomainNamed(*text)) {
+      reference_.domain = *domain;
+    } else {
       root.addFault("domain", "expected standard or shifted, found \"" + *text + "\"");
     }
-    reference_.domain = RenderDomain::kShifted;
   }
 
   void readAppearance(YamlMap& root) {
@@ -196,11 +197,11 @@ void writeReference(const std::filesystem::path& path, const Reference& referenc
   const Task& task = reference.task;
   const Workbench& workbench = task.initial.workbench;
   YAML::Emitter out;
+  out.SetDoublePrecision(12);
   out << YAML::BeginMap << YAML::Key << "conceptplan" << YAML::Value << kFormatVersion;
   out << YAML::Key << "id" << YAML::Value << task.id;
   out << YAML::Key << "level" << YAML::Value << task.level;
-  out << YAML::Key << "domain" << YAML::Value
-      << (reference.domain == RenderDomain::kStandard ? "standard" : "shifted");
+  out << YAML::Key << "domain" << YAML::Value << std::string(name(reference.domain));
   out << YAML::Key << "appearance" << YAML::Value << std::to_string(task.appearance);
   out << YAML::Key << "workbench" << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key
       << "columns" << YAML::Value << workbench.columns << YAML::Key << "rows" << YAML::Value

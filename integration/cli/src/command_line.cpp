@@ -140,8 +140,6 @@ std::string CommandLine::explain(const CLI::ParseError& error) const {
   const std::vector<std::string> commands = commandNames(command);
   const std::string ask = "; \"" + fullName(command) + " --help\" explains";
   const std::vector<std::string> extras = command->remaining(true);
-  const std::vector<std::string>& unread = extras.empty() ? arguments_ : extras;
-  const auto* const missing = dynamic_cast<const CLI::RequiredError*>(&error);
   if (!commands.empty()) {
     // The first word after the group's own name is no command of it.
     const auto own = std::find(arguments_.begin(), arguments_.end(), command->get_name());
@@ -152,15 +150,18 @@ std::string CommandLine::explain(const CLI::ParseError& error) const {
       return "unknown command \"" + *first + "\"" + hint(*first, commands) + "; there are " +
              joined(commands);
     }
-    if (missing) return "a command is missing; there are " + joined(commands) + ask;
-  }
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) && !unread.empty()) {
-    const std::string& word = unread.front();
-    if (word.starts_with("-")) {
-      const std::string name = word.substr(0, word.find('='));
-      return "unknown option " + name + hint(name, optionNames(command)) + ask;
+    if (dynamic_cast<const CLI::RequiredError*>(&error)) {
+      return "a command is missing; there are " + joined(commands) + ask;
     }
-    return "unexpected argument \"" + word + "\"" + ask;
+  }
+  const auto option = std::find_if(extras.begin(), extras.end(),
+                                   [](const std::string& word) { return word.starts_with("-"); });
+  if (option != extras.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    return "unknown option " + name + hint(name, optionNames(command)) + ask;
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) && !extras.empty()) {
+    return "unexpected argument \"" + extras.front() + "\"" + ask;
   }
   return std::string(error.what()) + ask;
 }

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 
 namespace conceptplan::cli {
 namespace {
@@ -32,7 +31,7 @@ class ProgressMeter {
   ProgressMeter(Console& console, std::string label)
       : console_(console), label_(std::move(label)), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-  void show(std::size_t done, std::size_t total) {
+  void show(std::size_t done, std::size_t total, std::string_view note) {
     const std::lock_guard lock(console_.mutex_);
     if (console_.quiet_) return;
     if (!started_) {  // work that an earlier run did is no measure of speed
@@ -48,7 +47,8 @@ class ProgressMeter {
     }
     shown_ = Clock::now();
     finished_ = last;
-    const std::string line = lineText(done, total);
+    std::string line = lineText(done, total);
+    if (!note.empty()) line += "  " + std::string(note);
     if (!terminal_) {
       console_.writeError(line + "\n");
       return;
@@ -130,9 +130,12 @@ void Console::error(std::string_view text) {
   writeError(std::string(text) + "\n");
 }
 
-std::function<void(std::size_t, std::size_t)> Console::progress(std::string label) {
-  auto meter = std::make_shared<ProgressMeter>(*this, std::move(label));
-  return [meter](std::size_t done, std::size_t total) { meter->show(done, total); };
+Progress Console::progress(std::string label) {
+  return Progress(std::make_shared<ProgressMeter>(*this, std::move(label)));
+}
+
+void Progress::operator()(std::size_t done, std::size_t total, std::string_view note) const {
+  meter_->show(done, total, note);
 }
 
 void Console::writeError(std::string_view text) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,6 +14,22 @@ using Json = nlohmann::ordered_json;
 
 /// Rows of text under headings; columns line up when printed.
 using TextTable = std::vector<std::vector<std::string>>;
+
+class Console;
+class ProgressMeter;
+
+/// Shows how far some work is, with the time left: a bar on a terminal, else a line every ten
+/// seconds; nothing in the first second. A callable value; copies show the same work.
+class Progress {
+ public:
+  explicit Progress(std::shared_ptr<ProgressMeter> meter) : meter_(std::move(meter)) {}
+
+  /// @param note is shown at the end of the line, e.g. the latest loss
+  void operator()(std::size_t done, std::size_t total, std::string_view note = {}) const;
+
+ private:
+  std::shared_ptr<ProgressMeter> meter_;
+};
 
 /// The two streams of the command: answers on stdout, all else on stderr. Thread-safe.
 class Console {
@@ -35,9 +51,8 @@ class Console {
   /// A line on stderr, always.
   void error(std::string_view text);
 
-  /// A callback (done, total) that shows progress with the time left: a bar on a terminal, else a
-  /// line every ten seconds; nothing for the first second. The console must outlive it.
-  std::function<void(std::size_t, std::size_t)> progress(std::string label);
+  /// The console must outlive it.
+  Progress progress(std::string label);
 
  private:
   friend class ProgressMeter;

@@ -4,7 +4,10 @@
 int main(int argc, char** argv) {
   using namespace conceptplan::cli;
   CommandLine line;
+  addGenerateCommands(line);
+  addInspectCommands(line);
   addValidateCommand(line);
   addPlannersCommand(line);
+  addDoctorCommand(line);
   return line.run(argc, argv, catchInterrupts());
 }

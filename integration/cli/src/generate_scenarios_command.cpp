@@ -1,0 +1,67 @@
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "scenario_generation.hpp"
+#include "task_set_options.hpp"
+
+namespace conceptplan::cli {
+namespace {
+
+struct GenerateScenariosOptions {
+  ScenarioSetOptions set;
+  std::string out;
+};
+
+int makeScenarios(GenerateScenariosOptions options, Session& session) {
+  options.set.tasks.seed = session.options.seed;
+  const std::vector<std::filesystem::path> folders =
+      generateScenarios(options.out, options.set, session.options.jobs,
+                        session.console.progress("scenarios"), session.cancel);
+  Json list = Json::array();
+  for (const std::filesystem::path& folder : folders) {
+    list.push_back(folder.string());
+    session.console.print(folder.string());
+  }
+  if (folders.size() < static_cast<std::size_t>(options.set.count)) throw Interrupted{};
+  session.console.printJson({{"scenarios", list}});
+  return kDone;
+}
+
+}  // namespace
+
+void addGenerateScenariosCommand(CommandLine& line, CLI::App& group) {
+  const auto options = makeOptions<GenerateScenariosOptions>();
+  CLI::App& command =
+      line.add(group, "scenarios", "Stand-alone scenario folders with their ground truth",
+               "conceptplan generate scenarios --level 3 --count 3 --out scenarios",
+               [options](Session& session) { return makeScenarios(*options, session); });
+  TaskOptions& tasks = options->set.tasks;
+  tasks.split = Split::kTest;
+  command.add_option("--level", tasks.level, "1 movement, 2 + obstacles, 3 + dyer, 4 + rotation")
+      ->check(CLI::Range(1, 4))
+      ->type_name("1..4");
+  command.add_option("--count", options->set.count, "Number of scenarios; 1 if left out")
+      ->check(CLI::Range(1, 100000))
+      ->type_name("N");
+  command.add_option("--out", options->out, "Folder in which the scenarios' folders are made")
+      ->required()
+      ->type_name("DIR");
+  addSplit(command, tasks.split, "Which tasks; test if left out");
+  addObjects(command, tasks.objects);
+  addDomain(command, options->set.domain);
+  command.add_option("--model", options->set.model, "The model that the scenarios name")
+      ->type_name("NAME|DIR");
+  command.add_flag("--symbols-only", options->set.symbols_only,
+                   "No pictures: the true values as symbols, by their names");
+  command.add_flag("--infeasible", options->set.infeasible,
+                   "Scenarios without a solution: the target is shut in");
+}
+
+void addGenerateCommands(CommandLine& line) {
+  CLI::App& group = line.addGroup("generate", "Make concept sets, tasks, scenarios and pictures");
+  addGenerateConceptsCommand(line, group);
+  addGenerateTasksCommand(line, group);
+  addGenerateScenariosCommand(line, group);
+  addGenerateImagesCommand(line, group);
+}
+
+}  // namespace conceptplan::cli

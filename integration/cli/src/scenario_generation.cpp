@@ -1,0 +1,156 @@
+#include "scenario_generation.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "conceptplan/domain/rendering/renderer.hpp"
+#include "conceptplan/domain/simulation/simulator.hpp"
+
+namespace conceptplan::cli {
+namespace {
+
+/// The symbol that bears the name of a value.
+SymbolId symbolNamed(const SymbolGrounding& grounding, Concept which, std::size_t value) {
+  static const SymbolGrounding kStandard = standardGrounding();
+  const std::string expected = kStandard.name(which, SymbolId{static_cast<std::int32_t>(value)});
+  const std::vector<std::string>& names = grounding.names[index(which)];
+  const auto found = std::find(names.begin(), names.end(), expected);
+  if (found == names.end()) {
+    throw InputError({Fault{"--symbols-only",
+                            {},
+                            {},
+                            std::string(name(which)),
+                            "the model has no symbol named \"" + expected + "\""}});
+  }
+  return SymbolId{static_cast<std::int32_t>(found - names.begin())};
+}
+
+/// The target in the corner at the origin, two objects in the cells beside it.
+void shutIn(Task& task) {
+  World& world = task.initial;
+  const ObjectState moved = world.objects[world.target];
+  task.goal.cell = moved.cell == Cell{0, 0} ? Cell{2, 4} : moved.cell;
+  world.objects[world.target].cell = {0, 0};
+  std::vector<Cell> walls{{1, 0}, {0, 1}};
+  for (std::size_t i = 0; i < world.objects.size(); ++i) {
+    if (i != world.target && !walls.empty()) {
+      world.objects[i].cell = walls.back();
+      walls.pop_back();
+    }
+  }
+  if (task.goal.cell == Cell{1, 0} || task.goal.cell == Cell{0, 1}) task.goal.cell = {2, 4};
+  task.reference.clear();
+}
+
+World goalWorld(const Task& task) {
+  World world = task.initial;
+  world.objects[world.target] = task.goal;
+  return world;
+}
+
+Scenario makeScenario(const ScenarioSetOptions& options, const std::string& name,
+                      const Reference& reference, Renderer* renderer) {
+  const Task& task = reference.task;
+  Scenario scenario;
+  scenario.name = name;
+  scenario.model = options.model;
+  scenario.target = static_cast<std::uint8_t>(task.initial.target + 1);
+  if (renderer) {
+    const Appearance appearance{task.appearance, options.domain};
+    scenario.input = PictureInput{renderer->render(task.initial, appearance),
+                                  renderer->render(goalWorld(task), appearance)};
+    return scenario;
+  }
+  SymbolInput input;
+  for (const ObjectState& object : task.initial.objects) {
+    input.objects.push_back(symbolsOf(object, options.grounding));
+  }
+  input.goal = symbolsOf(task.goal, options.grounding);
+  scenario.input = std::move(input);
+  return scenario;
+}
+
+}  // namespace
+
+std::string scenarioName(const ScenarioSetOptions& options, int i) {
+  std::string number = std::to_string(i + 1);
+  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+  return (options.infeasible ? "infeasible" : "level" + std::to_string(options.tasks.level)) + "-" +
+         number;
+}
+
+Reference drawReference(const ScenarioSetOptions& options, int i) {
+  TaskOptions tasks = options.tasks;
+  if (options.infeasible) tasks.level = 2;
+  Reference reference{TaskGenerator(tasks).task(i), options.domain};
+  if (options.infeasible) shutIn(reference.task);
+  return reference;
+}
+
+GivenSymbols symbolsOf(const ObjectState& object, const SymbolGrounding& grounding) {
+  const std::array<int, kNumConcepts> values{static_cast<int>(object.type),
+                                             object.cell.x,
+                                             object.cell.y,
+                                             object.rotation,
+                                             object.color,
+                                             object.size};
+  GivenSymbols symbols;
+  for (const Concept which : kConcepts) {
+    symbols[index(which)] =
+        symbolNamed(grounding, which, static_cast<std::size_t>(values[index(which)]));
+  }
+  return symbols;
+}
+
+std::vector<std::filesystem::path> generateScenarios(
+    const std::filesystem::path& folder, const ScenarioSetOptions& options, int jobs,
+    const std::function<void(std::size_t, std::size_t)>& progress,
+    const std::atomic<bool>& cancel) {
+  const auto total = static_cast<std::size_t>(options.count);
+  std::vector<char> finished(total, 0);
+  std::size_t next = 0;
+  std::size_t done = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto takeOne = [&]() -> std::optional<std::size_t> {
+    const std::lock_guard lock(mutex);
+    if (next >= total || failure || cancel) return std::nullopt;
+    return next++;
+  };
+  const auto work = [&] {
+    std::optional<Renderer> renderer;
+    try {
+      if (!options.symbols_only) renderer.emplace();
+      while (const std::optional<std::size_t> i = takeOne()) {
+        const int number = static_cast<int>(*i);
+        const std::string name = scenarioName(options, number);
+        const Reference reference = drawReference(options, number);
+        writeScenario(folder / name,
+                      makeScenario(options, name, reference, renderer ? &*renderer : nullptr),
+                      reference);
+        const std::lock_guard lock(mutex);
+        finished[*i] = 1;
+        progress(++done, total);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  progress(0, total);
+  std::vector<std::thread> threads;
+  for (int job = 1; job < std::min(jobs, options.count); ++job) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+  std::vector<std::filesystem::path> folders;
+  for (std::size_t i = 0; i < total; ++i) {
+    if (finished[i]) folders.push_back(folder / scenarioName(options, static_cast<int>(i)));
+  }
+  return folders;
+}
+
+}  // namespace conceptplan::cli

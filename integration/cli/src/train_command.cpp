@@ -1,0 +1,90 @@
+#include <optional>
+
+#include "choice_option.hpp"
+#include "commands.hpp"
+#include "conceptplan/pipeline/training.hpp"
+#include "exit_code.hpp"
+
+namespace conceptplan::cli {
+namespace {
+
+const std::vector<TrainingStage> kAllStages{TrainingStage::kLearnConcepts, TrainingStage::kMakeSymbols,
+                                            TrainingStage::kCountTransitions, TrainingStage::kTrainVict};
+
+struct TrainCommandOptions {
+  std::vector<TrainingStage> stages;
+  TrainingOptions training;
+};
+
+std::optional<std::vector<TrainingStage>> stagesNamed(std::string_view text) {
+  if (text == "all") return kAllStages;
+  for (const TrainingStage stage : kAllStages) {
+    if (name(stage) == text) return std::vector{stage};
+  }
+  return std::nullopt;
+}
+
+Json measuresJson(const ModelManifest& manifest) {
+  Json measures = Json::object();
+  for (const auto& [name, value] : manifest.measures) measures[name] = value;
+  return measures;
+}
+
+int trainStages(TrainCommandOptions options, Session& session) {
+  options.training.seed = session.options.seed;
+  options.training.jobs = session.options.jobs;
+  std::string stage;
+  std::optional<Progress> progress;
+  TrainingControl control;
+  control.cancel = &session.cancel;
+  control.progress = [&](const TrainingProgress& state) {
+    if (!progress || stage != state.stage) {
+      stage = state.stage;
+      progress = session.console.progress(stage);
+    }
+    (*progress)(state.done, state.total, state.message);
+  };
+  if (!train(options.stages, options.training, control)) throw Interrupted{};
+  const ModelManifest manifest = readManifest(options.training.model);
+  session.console.printJson(
+      {{"model", options.training.model.string()}, {"measures", measuresJson(manifest)}});
+  session.console.print(options.training.model.string() + ": trained");
+  TextTable table;
+  for (const auto& [name, value] : manifest.measures) {
+    table.push_back({"  " + name, decimal(value, 4)});
+  }
+  session.console.print(table);
+  return kDone;
+}
+
+}  // namespace
+
+void addTrainCommand(CommandLine& line) {
+  const auto options = makeOptions<TrainCommandOptions>();
+  CLI::App& command =
+      line.add("train", "Learn a model from rendered pictures",
+               "conceptplan train all --data data --model models/mine --resume",
+               [options](Session& session) { return trainStages(*options, session); });
+  TrainingOptions& training = options->training;
+  addChoice(command, "STAGE", options->stages,
+            {"concepts", "symbols", "transitions", "vict", "all"}, stagesNamed,
+            "What to train; each stage needs those before it")
+      ->required();
+  command
+      .add_option("--data", training.data, "Folder of the datasets; missing ones are made there")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("--model", training.model, "Folder of the model")
+      ->required()
+      ->type_name("DIR");
+  std::string profiles;
+  for (const std::string& profile : trainingProfiles()) {
+    profiles += (profiles.empty() ? "" : "|") + profile;
+  }
+  command.add_option("--profile", training.profile, "How much is learned from; cpu if left out")
+      ->type_name(profiles);
+  command.add_flag("--resume", training.resume,
+                   "Keep finished stages and go on from the last checkpoint");
+}
+
+}  // namespace conceptplan::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace conceptplan::cli {
+
+/// What a run of the command left.
+struct CommandResult {
+  int exit_code = -1;  ///< 128 + N if signal N ended it
+  std::string out;
+  std::string error;
+};
+
+/// Runs the built command and waits for it.
+CommandResult runCommand(const std::vector<std::string>& arguments);
+
+/// The same, but sends SIGINT once `file` has at least that many lines, or after a minute.
+CommandResult runInterrupted(const std::vector<std::string>& arguments, const std::string& file,
+                             std::size_t lines);
+
+}  // namespace conceptplan::cli
