@@ -84,7 +84,7 @@ std::string alternativesSection(const Report& report) {
       "<th scope=\"col\" class=\"n\">Length</th><th scope=\"col\">Probability</th>"
       "<th scope=\"col\" class=\"n\">Cost</th></tr></thead><tbody>";
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    html += "<tr><th scope=\"row\">" + std::to_string(i + 1) +
+    html += "<tr><th scope=\"row\" data-label=\"Plan\">" + std::to_string(i + 1) +
             "</th><td data-label=\"Actions\"><span class=\"actions\">";
     for (const Action action : plans[i].actions) {
       html += "<span>" + icon(action) + " " + words(action) + "</span>";
