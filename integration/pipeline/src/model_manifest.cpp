@@ -93,7 +93,7 @@ bool ModelManifest::has(TrainingStage stage) const {
   return std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
-ModelManifest readManifest(const std::filesystem::path& folder) {
+ModelManifest readModelManifest(const std::filesystem::path& folder) {
   const auto path = folder / kManifestFile;
   const Json json = Json::parse(readFile(path), nullptr, /*allow_exceptions=*/false);
   if (!json.is_object())
@@ -120,7 +120,7 @@ ModelManifest readManifest(const std::filesystem::path& folder) {
   return manifest;
 }
 
-void writeManifest(const std::filesystem::path& folder, ModelManifest manifest) {
+void writeModelManifest(const std::filesystem::path& folder, ModelManifest manifest) {
   manifest.files.clear();
   Json stages = Json::array();
   for (const TrainingStage stage : manifest.stages) {

@@ -131,7 +131,7 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
 
   ModelManifest manifest;
   if (std::filesystem::exists(options.model / "manifest.json"))
-    manifest = readManifest(options.model);
+    manifest = readModelManifest(options.model);
   for (const TrainingStage stage : stages) {
     if (options.resume && manifest.has(stage)) continue;
     // A stage that is made anew undoes those that build on it.
@@ -168,7 +168,7 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
     for (const char* data : {"concepts-train", "concepts-validation", "tasks-train"})
       if (const auto path = options.data / data / "dataset.json"; std::filesystem::exists(path))
         manifest.data[data] = hexadecimal(crc32OfFile(path));
-    writeManifest(options.model, manifest);
+    writeModelManifest(options.model, manifest);
     std::filesystem::remove(run.checkpoint(stage));
   }
   return true;

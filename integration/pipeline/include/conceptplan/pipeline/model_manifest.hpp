@@ -43,10 +43,10 @@ inline constexpr const char* kVictFile = "vict.safetensors";
 
 /// Reads FOLDER/manifest.json and checks that every file it names is there and unchanged.
 /// @throws InputError with all faults.
-ModelManifest readManifest(const std::filesystem::path& folder);
+ModelManifest readModelManifest(const std::filesystem::path& folder);
 
 /// Writes it atomically, with the checksums of the files as they are now.
 /// @throws InputError, std::runtime_error as `writeFileAtomically`.
-void writeManifest(const std::filesystem::path& folder, ModelManifest manifest);
+void writeModelManifest(const std::filesystem::path& folder, ModelManifest manifest);
 
 }  // namespace conceptplan
