@@ -79,8 +79,8 @@ Cell cellAfter(Cell cell, Action action) {
   }
 }
 
-Outcome applyAction(const World& world, Action action) {
-  Outcome outcome{world, std::nullopt, std::nullopt};
+ActionOutcome applyAction(const World& world, Action action) {
+  ActionOutcome outcome{world, std::nullopt, std::nullopt};
   outcome.obstruction = carryOut(outcome.world, action, outcome.obstacle);
   return outcome;
 }

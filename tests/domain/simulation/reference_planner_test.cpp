@@ -22,7 +22,7 @@ std::set<ActionSequence> plansOfLength(const World& world, const ObjectState& go
                                                : std::set<ActionSequence>{};
   std::set<ActionSequence> plans;
   for (const Action action : kActions) {
-    const Outcome outcome = applyAction(world, action);
+    const ActionOutcome outcome = applyAction(world, action);
     if (!outcome.succeeded()) continue;
     for (ActionSequence rest : plansOfLength(outcome.world, goal, length - 1)) {
       rest.insert(rest.begin(), action);

@@ -62,14 +62,14 @@ TEST(Simulator, FourTurnsAndOppositeActionsUndoEachOther) {
 }
 
 TEST(Simulator, AnyObjectBlocksItsCell) {
-  const Outcome egg = applyAction(smallWorld(), kMoveLeft);
+  const ActionOutcome egg = applyAction(smallWorld(), kMoveLeft);
   EXPECT_EQ(egg.obstruction, Obstruction::kCollision);
   EXPECT_EQ(egg.obstacle, 0u);
   EXPECT_EQ(egg.world, smallWorld());
 
   World beside_dyer = smallWorld();
   beside_dyer.objects[1].cell = {2, 3};
-  const Outcome dyer = applyAction(beside_dyer, kMoveFront);
+  const ActionOutcome dyer = applyAction(beside_dyer, kMoveFront);
   EXPECT_EQ(dyer.obstruction, Obstruction::kCollision);
   EXPECT_EQ(dyer.obstacle, 2u);
 }
@@ -93,7 +93,7 @@ TEST(Simulator, OnlyTheFourNeighboursOfADyerAreBesideIt) {
     for (int y = 0; y < 5; ++y) {
       if (Cell{x, y} == world.objects[2].cell) continue;
       world.objects[1].cell = {x, y};
-      const Outcome outcome = applyAction(world, kChangeColor);
+      const ActionOutcome outcome = applyAction(world, kChangeColor);
       const bool beside = (x == 1 && (y == 1 || y == 3)) || (y == 2 && (x == 0 || x == 2));
       EXPECT_EQ(outcome.succeeded(), beside) << x << ", " << y;
       EXPECT_EQ(outcome.world.objects[1].color, beside ? 4 : 0);
@@ -138,7 +138,7 @@ TEST(Simulator, AdvanceIsApplyActionInPlace) {
   for (int i = 0; i < 200; ++i) {
     World world = TaskGenerator({.level = 3, .seed = 3}).task(i).initial;
     const Action action = kActions[random.below(kNumActions)];
-    const Outcome outcome = applyAction(world, action);
+    const ActionOutcome outcome = applyAction(world, action);
     EXPECT_EQ(advance(world, action), outcome.obstruction);
     EXPECT_EQ(world, outcome.world);
   }

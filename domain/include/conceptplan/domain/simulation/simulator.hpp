@@ -17,7 +17,7 @@ enum class Obstruction { kOffWorkbench, kCollision, kNoDyer };
 std::string_view name(Obstruction obstruction);
 
 /// What an action did to a world.
-struct Outcome {
+struct ActionOutcome {
   World world;                             ///< after the action; unchanged if it is illegal
   std::optional<Obstruction> obstruction;  ///< nothing if the action is legal
   std::optional<std::size_t> obstacle;     ///< the object that was run into
@@ -32,7 +32,7 @@ struct Outcome {
 /// turn, right turns take one off. `kChangeColor` gives the target the colour of a dyer and is
 /// legal only in a 4-neighbour cell of one; of two such dyers the first in `objects` counts.
 /// @throws std::invalid_argument if `world.target` is not an object.
-Outcome applyAction(const World& world, Action action);
+ActionOutcome applyAction(const World& world, Action action);
 
 /// The same in place, for searches: changes `world` only if the action is legal.
 std::optional<Obstruction> advance(World& world, Action action);

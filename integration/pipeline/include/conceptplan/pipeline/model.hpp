@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "conceptplan/domain/image.hpp"
+#include "conceptplan/domain/model/symbolic_model.hpp"
+#include "conceptplan/domain/symbols.hpp"
+#include "conceptplan/learner/tokens.hpp"
+#include "conceptplan/pipeline/model_manifest.hpp"
+#include "conceptplan/planners/plan_result.hpp"
+
+namespace conceptplan {
+
+/// What was read of one picture: its objects, in the order of their instance ids.
+struct Percept {
+  std::vector<std::uint8_t> instances;  ///< ids in the mask
+  std::vector<Tokens> tokens;
+  std::vector<SymbolBelief> beliefs;
+
+  /// Position of an instance, or `instances.size()` if it is not seen.
+  std::size_t position(std::uint8_t instance) const;
+};
+
+/// A trained model: reads pictures as symbols and draws what plans will look like. Immutable;
+/// threads may share it. Every call computes with one thread, so that results do not depend on how
+/// many there are.
+class Model {
+ public:
+  /// Loads a model folder whose training is complete, every file checked.
+  /// @throws InputError with all faults.
+  explicit Model(const std::filesystem::path& folder);
+  ~Model();
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+
+  const std::filesystem::path& folder() const;
+  const ModelManifest& manifest() const;
+  const SymbolicModel& symbolic() const;
+  std::size_t numParameters() const;
+
+  Percept perceive(const RgbdImage& image) const;
+
+  /// The picture after each step of a plan, as ViCT predicts it: colours only, [actions]. Tokens go
+  /// through the causal transition; one that then reads as another symbol than the plan predicts is
+  /// replaced by the centre of the predicted one, so that errors do not add up.
+  /// @throws std::invalid_argument if the target is not seen in the picture, or the plan has no
+  /// predicted symbols.
+  std::vector<RgbdImage> render(const RgbdImage& initial, const Percept& percept,
+                                std::uint8_t target, const Plan& plan) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+/// The folder of a model given as a scenario names it: a folder, or the name of a shipped model. A
+/// relative folder is looked for from `base`, then from the working directory; shipped models in
+/// the folder that the environment variable CONCEPTPLAN_MODELS names, then where this library was
+/// installed, then in the source tree that it was built from.
+/// @throws InputError that lists the places, if there is none.
+std::filesystem::path findModel(const std::string& name, const std::filesystem::path& base = {});
+
+}  // namespace conceptplan

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "conceptplan/domain/scenario/scenario.hpp"
+#include "conceptplan/domain/simulation/judgement.hpp"
+#include "conceptplan/pipeline/model.hpp"
+#include "conceptplan/pipeline/report.hpp"
+#include "conceptplan/planners/planner.hpp"
+
+namespace conceptplan {
+
+struct SolveOptions {
+  std::uint64_t seed = 0;
+  bool render = true;  ///< draw the best plan's steps, if the scenario wants it and has pictures
+  SearchLimits limits;
+};
+
+/// How the plans fare in the simulator, where a scenario has a reference.
+struct Evaluation {
+  Judgement best;     ///< of the first plan
+  bool top5 = false;  ///< whether one of the first five succeeds
+};
+
+struct StageTimes {
+  double perceive_ms = 0;
+  double compile_ms = 0;
+  double search_ms = 0;
+  double render_ms = 0;
+  double total_ms = 0;
+};
+
+/// All that came of one scenario.
+struct Solution {
+  SymbolicProblem problem;
+  std::vector<std::uint8_t> instances;  ///< mask id of each object of the problem
+  PlanResult result;
+  std::vector<RgbdImage> frames;  ///< as `Model::render`, of the best plan; empty if not rendered
+  std::optional<Evaluation> evaluation;
+  StageTimes times;
+};
+
+/// From pictures (or given symbols) to plans and frames: perceive, compile with FCL validity,
+/// search, render, and judge if there is a reference. Thread-safe.
+/// @throws InputError if the scenario does not fit the model, or its target cannot be told or is
+/// hidden.
+Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
+                       const SolveOptions& options = {});
+
+/// The problem that two pictures pose, as the model reads them. `target` is an instance id; without
+/// one it is the object whose symbols differ most between the pictures.
+/// @throws std::invalid_argument if the target is not seen in both pictures, or there is none.
+SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
+                          std::optional<std::uint8_t> target);
+
+/// The page of a solution: pictures, symbols, plans, frames beside the simulator's where there is a
+/// reference, rejections, times. `planner` is the planner's name.
+Report reportOf(const Scenario& scenario, const Model& model, const Solution& solution,
+                const std::string& planner, std::uint64_t seed);
+
+}  // namespace conceptplan

@@ -1,0 +1,139 @@
+#include "conceptplan/pipeline/evaluation.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "conceptplan/domain/simulation/judgement.hpp"
+#include "conceptplan/fcl/fcl_validity.hpp"
+#include "conceptplan/pipeline/solve.hpp"
+
+namespace conceptplan {
+namespace {
+
+constexpr std::size_t kTop = 5;
+
+/// How one planner fares on one task.
+struct TaskResult {
+  Judgement best;
+  bool top5 = false;
+};
+
+/// The problem of a task's pictures; nothing if the target is hidden in one of them.
+std::optional<SymbolicProblem> readProblem(const TaskDataset& tasks, const Task& task,
+                                           const Model& model) {
+  const Percept initial = model.perceive(tasks.frame(task, 0));
+  const Percept goal = model.perceive(tasks.frame(task, static_cast<int>(task.reference.size())));
+  try {
+    return problemOf(initial, goal, static_cast<std::uint8_t>(task.initial.target + 1));
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+TaskResult judged(const Task& task, const std::vector<Plan>& plans) {
+  TaskResult result;
+  result.best = judge(
+      task, plans.empty() ? std::optional<ActionSequence>() : std::optional(plans.front().actions));
+  for (std::size_t i = 0; i < std::min(kTop, plans.size()); ++i)
+    result.top5 = result.top5 || judge(task, plans[i].actions).succeeded();
+  return result;
+}
+
+std::string setName(const TaskDatasetOptions& options) {
+  std::string set = options.split == Split::kTrain        ? "train"
+                    : options.split == Split::kValidation ? "validation"
+                                                          : "test";
+  set += options.objects == ObjectSet::kSeen ? "/seen" : "/unseen";
+  set += options.domain == RenderDomain::kStandard ? "/standard" : "/shifted";
+  if (options.combination == Combination::kUnseenTask) set += "/unseen-task";
+  return set;
+}
+
+EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& planner,
+                    const std::vector<std::vector<TaskResult>>& results, std::size_t column) {
+  EvaluationRow row;
+  row.planner = planner;
+  row.set = setName(tasks.options());
+  row.level = level;
+  double top1 = 0, top5 = 0, efficiency = 0, distance = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (tasks.tasks()[i].level != level) continue;
+    const TaskResult& result = results[i][column];
+    ++row.tasks;
+    distance += result.best.final_distance;
+    top5 += result.top5 ? 1 : 0;
+    if (result.best.succeeded()) {
+      top1 += 1;
+      efficiency += *result.best.efficiency;
+    } else {
+      ++row.failures[std::string(name(*result.best.failure))];
+    }
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, row.tasks));
+  row.asacc_top1 = 100 * top1 / count;
+  row.asacc_top5 = 100 * top5 / count;
+  row.ase = top1 > 0 ? efficiency / top1 : 0;
+  row.fsd = distance / count;
+  return row;
+}
+
+}  // namespace
+
+std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model,
+                                    const PlannerRegistry& registry,
+                                    const EvaluationOptions& options) {
+  std::vector<std::unique_ptr<Planner>> planners;
+  for (const std::string& planner : options.planners) planners.push_back(registry.make(planner));
+
+  const std::size_t total = tasks.tasks().size();
+  std::vector<std::vector<TaskResult>> results(total, std::vector<TaskResult>(planners.size()));
+  std::atomic<std::size_t> next{0};
+  std::size_t done = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    const FclValidity validity;
+    for (std::size_t i = next++; i < total; i = next++) {
+      if (options.cancel != nullptr && *options.cancel) return;
+      try {
+        const Task& task = tasks.tasks()[i];
+        const auto problem = readProblem(tasks, task, model);
+        std::optional<SymbolGraph> graph;
+        if (problem) graph = compile(model.symbolic(), *problem, validity);
+        for (std::size_t p = 0; p < planners.size(); ++p) {
+          PlanQuery query;
+          query.top = kTop;
+          query.seed = options.seed;
+          results[i][p] =
+              judged(task, graph ? planners[p]->solve(*graph, query).plans : std::vector<Plan>());
+        }
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = total;
+        return;
+      }
+      const std::scoped_lock lock(mutex);
+      ++done;
+      if (options.progress) options.progress(done, total);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int job = 1; job < std::max(1, options.jobs); ++job) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+  if (options.cancel != nullptr && *options.cancel) return {};
+
+  std::vector<EvaluationRow> rows;
+  for (std::size_t p = 0; p < planners.size(); ++p)
+    for (const int level : tasks.options().levels)
+      rows.push_back(rowOf(tasks, level, options.planners[p], results, p));
+  return rows;
+}
+
+}  // namespace conceptplan

@@ -1,0 +1,148 @@
+#include "conceptplan/pipeline/model.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/learner/effect_context.hpp"
+#include "conceptplan/learner/learned_symbols.hpp"
+#include "conceptplan/learner/visual_transition.hpp"
+#include "observed_frame.hpp"
+#include "torch_threads.hpp"
+
+namespace conceptplan {
+namespace {
+
+NamedTensors readTensors(const std::filesystem::path& path) {
+  return decodeTensors(readFile(path), path);
+}
+
+ModelManifest completeManifest(const std::filesystem::path& folder) {
+  ModelManifest manifest = readModelManifest(folder);
+  if (manifest.stages.size() < kNumTrainingStages)
+    throw InputError({{folder.string(), std::nullopt, std::nullopt, "stages",
+                       "the model's training is not complete; go on with conceptplan train all "
+                       "--resume"}});
+  return manifest;
+}
+
+std::size_t count(const NamedTensors& tensors) {
+  std::size_t total = 0;
+  for (const auto& [name, tensor] : tensors) total += tensor.values.size();
+  return total;
+}
+
+}  // namespace
+
+std::size_t Percept::position(std::uint8_t instance) const {
+  return static_cast<std::size_t>(std::find(instances.begin(), instances.end(), instance) -
+                                  instances.begin());
+}
+
+struct Model::Parts {
+  std::filesystem::path folder;
+  ModelManifest manifest;
+  std::size_t parameters;
+  ConceptLearner learner;
+  LearnedSymbols symbols;
+  SymbolicModel symbolic;
+  VisualTransition transition;
+};
+
+Model::Model(const std::filesystem::path& folder) {
+  ModelManifest manifest = completeManifest(folder);
+  const NamedTensors concepts = readTensors(folder / kConceptsFile);
+  const NamedTensors vict = readTensors(folder / kVictFile);
+  const EncoderKind encoder = manifest.encoder;
+  parts_ = std::make_unique<const Parts>(Parts{
+      folder, std::move(manifest), count(concepts) + count(vict),
+      ConceptLearner(concepts, encoder, folder / kConceptsFile),
+      learnedSymbolsFrom(readTensors(folder / kSymbolsFile), folder / kSymbolsFile),
+      readSymbolicModel(folder / kTransitionsFile), VisualTransition(vict, folder / kVictFile)});
+  if (parts_->symbols.symbolizer.cardinality() != parts_->symbolic.cardinality())
+    throw InputError({{(folder / kTransitionsFile).string(), std::nullopt, std::nullopt,
+                       "cardinality", "does not fit the model's symbols"}});
+}
+
+Model::~Model() = default;
+Model::Model(Model&&) noexcept = default;
+Model& Model::operator=(Model&&) noexcept = default;
+
+const std::filesystem::path& Model::folder() const { return parts_->folder; }
+const ModelManifest& Model::manifest() const { return parts_->manifest; }
+const SymbolicModel& Model::symbolic() const { return parts_->symbolic; }
+std::size_t Model::numParameters() const { return parts_->parameters; }
+
+Percept Model::perceive(const RgbdImage& image) const {
+  const TorchThreads one_thread(1);
+  ObservedFrame observed = observeFrame(parts_->learner, image);
+  Percept percept{std::move(observed.instances), std::move(observed.tokens), {}};
+  for (const Tokens& tokens : percept.tokens)
+    percept.beliefs.push_back(parts_->symbols.symbolizer.belief(tokens));
+  return percept;
+}
+
+std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& percept,
+                                     std::uint8_t target, const Plan& plan) const {
+  const std::size_t at = percept.position(target);
+  if (at == percept.instances.size())
+    throw std::invalid_argument("Model::render: instance " + std::to_string(target) +
+                                " is not in the picture");
+  if (plan.predicted.size() != plan.actions.size())
+    throw std::invalid_argument("Model::render: " + std::to_string(plan.predicted.size()) +
+                                " predicted states for " + std::to_string(plan.actions.size()) +
+                                " actions");
+  const TorchThreads one_thread(1);
+  const Symbolizer& symbolizer = parts_->symbols.symbolizer;
+  std::vector<Symbols> others;
+  std::vector<Tokens> other_tokens;
+  for (std::size_t i = 0; i < percept.tokens.size(); ++i)
+    if (i != at) {
+      others.push_back(mostProbable(percept.beliefs[i]));
+      other_tokens.push_back(percept.tokens[i]);
+    }
+  Tokens tokens = percept.tokens[at];
+  Symbols symbols = mostProbable(percept.beliefs[at]);
+  std::vector<RgbdImage> frames;
+  for (std::size_t step = 0; step < plan.actions.size(); ++step) {
+    const Action action = plan.actions[step];
+    const Tokens context = effectContext(parts_->symbolic, action, symbols, others, other_tokens);
+    tokens = parts_->transition.apply(tokens, context, action);
+    symbols = plan.predicted[step];
+    const Symbols read = symbolizer.nearest(tokens);
+    for (const Concept which : kConcepts) {
+      const std::size_t k = index(which);
+      if (read[k] != symbols[k])
+        tokens.row(static_cast<Eigen::Index>(k)) =
+            symbolizer.clusters(which).centers.row(static_cast<Eigen::Index>(index(symbols[k])));
+    }
+    const DrawnObject drawn = parts_->learner.draw({&tokens, 1}).front();
+    frames.push_back({initial.width,
+                      initial.height,
+                      parts_->transition.synthesize(initial, target, drawn),
+                      {},
+                      {}});
+  }
+  return frames;
+}
+
+std::filesystem::path findModel(const std::string& name, const std::filesystem::path& base) {
+  std::vector<std::filesystem::path> places;
+  if (!base.empty()) places.push_back(base / name);
+  places.emplace_back(name);
+  if (const char* models = std::getenv("CONCEPTPLAN_MODELS"))
+    places.push_back(std::filesystem::path(models) / name);
+  places.push_back(std::filesystem::path(CONCEPTPLAN_INSTALLED_MODELS) / name);
+  places.push_back(std::filesystem::path(CONCEPTPLAN_SOURCE_MODELS) / name);
+  std::string tried;
+  for (const auto& place : places) {
+    if (std::filesystem::exists(place / "manifest.json")) return place;
+    tried += (tried.empty() ? "" : ", ") + place.string();
+  }
+  throw InputError({{name, std::nullopt, std::nullopt, "model",
+                     "no such model; looked for manifest.json in " + tried}});
+}
+
+}  // namespace conceptplan

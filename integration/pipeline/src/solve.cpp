@@ -1,0 +1,175 @@
+#include "conceptplan/pipeline/solve.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "conceptplan/domain/dataset/task_dataset.hpp"
+#include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/domain/rendering/renderer.hpp"
+#include "conceptplan/domain/scenario/reference.hpp"
+#include "conceptplan/domain/simulation/simulator.hpp"
+#include "conceptplan/fcl/fcl_validity.hpp"
+
+namespace conceptplan {
+namespace {
+
+/// Milliseconds since it was made or last read.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = Clock::now();
+    const double milliseconds = std::chrono::duration<double, std::milli>(now - since_).count();
+    since_ = now;
+    return milliseconds;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point since_ = Clock::now();
+};
+
+/// Half the sum of absolute differences, over all concepts; 0 for equal beliefs.
+double difference(const SymbolBelief& a, const SymbolBelief& b) {
+  double total = 0;
+  for (std::size_t k = 0; k < kNumConcepts; ++k)
+    for (std::size_t s = 0; s < a[k].size(); ++s) total += 0.5 * std::abs(a[k][s] - b[k][s]);
+  return total;
+}
+
+/// The position in `initial` of the object that changes most.
+std::size_t mostChanged(const Percept& initial, const Percept& goal) {
+  std::size_t best = initial.instances.size();
+  double most = -1;
+  for (std::size_t i = 0; i < initial.instances.size(); ++i) {
+    const std::size_t j = goal.position(initial.instances[i]);
+    if (j == goal.instances.size()) continue;
+    const double change = difference(initial.beliefs[i], goal.beliefs[j]);
+    if (change > most) most = change, best = i;
+  }
+  if (best == initial.instances.size())
+    throw std::invalid_argument("no object is seen in both pictures");
+  return best;
+}
+
+Evaluation evaluationOf(const Task& task, const PlanResult& result) {
+  Evaluation evaluation;
+  evaluation.best = judge(task, result.plans.empty() ? std::optional<ActionSequence>()
+                                                     : std::optional(result.plans.front().actions));
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, result.plans.size()); ++i)
+    evaluation.top5 = evaluation.top5 || judge(task, result.plans[i].actions).succeeded();
+  return evaluation;
+}
+
+/// What the simulator shows after each step, as far as the plan is legal.
+std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Plan& plan) {
+  Renderer renderer;
+  World world = reference.task.initial;
+  std::vector<RgbdImage> frames;
+  for (const Action action : plan.actions) {
+    if (advance(world, action)) break;
+    frames.push_back(renderer.render(world, {reference.task.appearance, reference.domain}));
+  }
+  return frames;
+}
+
+}  // namespace
+
+SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
+                          std::optional<std::uint8_t> target) {
+  const std::size_t at = target ? initial.position(*target) : mostChanged(initial, goal);
+  if (at == initial.instances.size())
+    throw std::invalid_argument("the target, instance " + std::to_string(*target) +
+                                ", is not seen in the initial picture");
+  const std::size_t in_goal = goal.position(initial.instances[at]);
+  if (in_goal == goal.instances.size())
+    throw std::invalid_argument("the target, instance " + std::to_string(initial.instances[at]) +
+                                ", is not seen in the goal picture");
+  return {{Workbench{}, initial.beliefs, at}, goal.beliefs[in_goal]};
+}
+
+Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
+                       const SolveOptions& options) {
+  Solution solution;
+  Stopwatch total, stage;
+  const auto* pictures = std::get_if<PictureInput>(&scenario.input);
+  Percept initial;
+  if (pictures != nullptr) {
+    initial = model.perceive(pictures->initial);
+    try {
+      solution.problem = problemOf(initial, model.perceive(pictures->goal), scenario.target);
+    } catch (const std::invalid_argument& error) {
+      throw InputError({scenario.fault("target", error.what())});
+    }
+    solution.instances = initial.instances;
+  } else {
+    solution.problem = problemOf(scenario, model.symbolic().cardinality());
+    for (std::size_t i = 0; i < solution.problem.initial.objects.size(); ++i)
+      solution.instances.push_back(static_cast<std::uint8_t>(i + 1));
+  }
+  solution.times.perceive_ms = stage.lap();
+
+  const FclValidity validity;
+  const SymbolGraph graph = compile(model.symbolic(), solution.problem, validity);
+  solution.times.compile_ms = stage.lap();
+
+  PlanQuery query;
+  query.top = static_cast<std::size_t>(scenario.planner.top);
+  query.limits = options.limits;
+  query.seed = options.seed;
+  solution.result = planner.solve(graph, query);
+  solution.times.search_ms = stage.lap();
+
+  if (pictures != nullptr && options.render && scenario.render && !solution.result.plans.empty())
+    solution.frames = model.render(pictures->initial, initial,
+                                   solution.instances[solution.problem.initial.target],
+                                   solution.result.plans.front());
+  solution.times.render_ms = stage.lap();
+
+  if (scenario.reference)
+    solution.evaluation = evaluationOf(readReference(*scenario.reference).task, solution.result);
+  solution.times.total_ms = total.lap();
+  return solution;
+}
+
+Report reportOf(const Scenario& scenario, const Model& model, const Solution& solution,
+                const std::string& planner, std::uint64_t seed) {
+  Report report;
+  report.title = scenario.name;
+  if (const auto* pictures = std::get_if<PictureInput>(&scenario.input)) {
+    report.initial = pictures->initial;
+    report.goal = pictures->goal;
+  }
+  report.problem = solution.problem;
+  report.instances = solution.instances;
+  report.grounding = model.symbolic().grounding;
+  report.result = solution.result;
+  for (const RgbdImage& frame : solution.frames) report.frames.push_back({frame, {}});
+  if (scenario.reference) {
+    const Reference reference = readReference(*scenario.reference);
+    if (!solution.result.plans.empty()) {
+      const auto simulated = simulatedFrames(reference, solution.result.plans.front());
+      report.frames.resize(solution.result.plans.front().actions.size());
+      for (std::size_t i = 0; i < simulated.size(); ++i) report.frames[i].reference = simulated[i];
+    }
+    if (solution.evaluation) {
+      const Judgement& best = solution.evaluation->best;
+      report.verdict =
+          best.succeeded()
+              ? "In the simulator the best plan reaches the goal."
+              : "In the simulator the best plan fails: " + std::string(name(*best.failure)) + ".";
+    }
+  }
+  const StageTimes& times = solution.times;
+  report.times_ms = {{"perceive", times.perceive_ms},
+                     {"compile", times.compile_ms},
+                     {"search", times.search_ms},
+                     {"render", times.render_ms},
+                     {"total", times.total_ms}};
+  report.facts = {
+      {"planner", planner}, {"seed", std::to_string(seed)}, {"model", model.manifest().name}};
+  report.versions = {{"ConceptPlan", CONCEPTPLAN_VERSION}, {"model", model.manifest().revision}};
+  return report;
+}
+
+}  // namespace conceptplan
