@@ -15,8 +15,6 @@ namespace {
 
 /// States around the start whose rejections are told of when there is no plan.
 constexpr std::size_t kTracedStates = 64;
-/// For kConditional, candidates by joint probability for each plan wanted.
-constexpr std::size_t kCandidatesPerPlan = 4;
 /// Scores that differ by less are equal, and length decides.
 constexpr double kScoreResolution = 1e-12;
 
@@ -121,16 +119,20 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   SearchGuard guard(query.limits);
   std::vector<ScoredSequence> sequences;
   if (frozen > 0) {
-    BeliefSearchOptions search{
-        options_.legality_threshold, discount, query.limits.horizon, query.top, 1, true,
-        options_.alternative_share};
+    BeliefSearchOptions search;
+    search.legality_threshold = options_.legality_threshold;
+    search.discount = discount;
+    search.horizon = query.limits.horizon;
+    search.top = query.top;
+    search.ranking = options_.ranking;
+    search.distinct_outcomes = true;
+    search.least_share = options_.alternative_share;
     if (options_.alternatives == Alternatives::kOutcomes) {
       sequences = bestSequences(graph, likely_start, task.goal, search, guard, result.statistics);
     }
     search.distinct_outcomes = false;
     search.least_share = 0;
     search.paths_per_belief = query.top;
-    if (options_.ranking == Ranking::kConditional) search.top *= kCandidatesPerPlan;
     if (sequences.size() < search.top) {
       addNew(sequences,
              bestSequences(graph, likely_start, task.goal, search, guard, result.statistics),

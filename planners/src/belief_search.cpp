@@ -25,9 +25,10 @@ struct Mass {
 /// Sorted by state; masses above zero.
 using SparseBelief = std::vector<Mass>;
 
-/// The best discounted probability of the goal if the state could be seen after each action.
-std::vector<double> seenStateValues(const SymbolGraph& graph, const StateBelief& goal,
-                                    const BeliefSearchOptions& options) {
+/// For kJoint the best discounted probability of the goal if the state could be seen after each
+/// action; for kConditional the best discounted goal of all states that actions may lead to.
+std::vector<double> stateValues(const SymbolGraph& graph, const StateBelief& goal,
+                                const BeliefSearchOptions& options) {
   std::vector<double> values = goal;
   for (std::size_t sweep = 0; sweep < options.horizon; ++sweep) {
     double change = 0;
@@ -36,12 +37,14 @@ std::vector<double> seenStateValues(const SymbolGraph& graph, const StateBelief&
       double best = values[i];
       for (const Action action : kActions) {
         if (graph.legality(state, action) <= options.legality_threshold) continue;
-        double value = 0;
+        double sum = 0;
+        double most = 0;
         for (const Transition& transition : graph.transitions(state, action)) {
-          if (graph.valid(transition.state))
-            value += transition.probability * values[index(transition.state)];
+          if (!graph.valid(transition.state)) continue;
+          sum += transition.probability * values[index(transition.state)];
+          most = std::max(most, values[index(transition.state)]);
         }
-        best = std::max(best, options.discount * value);
+        best = std::max(best, options.discount * (options.ranking == Ranking::kJoint ? sum : most));
       }
       change = std::max(change, best - values[i]);
       values[i] = best;
@@ -58,7 +61,7 @@ class BeliefSearch {
       : graph_(graph),
         goal_(goal),
         options_(options),
-        values_(seenStateValues(graph, goal, options)),
+        values_(stateValues(graph, goal, options)),
         dense_(graph.numStates(), 0) {}
 
   std::vector<ScoredSequence> run(const StateBelief& start, SearchGuard& guard,
@@ -124,7 +127,14 @@ class BeliefSearch {
       dense_[index(state)] = 0;
     }
     touched_.clear();
+    if (options_.ranking == Ranking::kConditional) scale(belief);
     return belief;
+  }
+
+  static void scale(SparseBelief& belief) {
+    double sum = 0;
+    for (const Mass& entry : belief) sum += entry.mass;
+    for (Mass& entry : belief) entry.mass /= sum;
   }
 
   /// The number of the belief, the same for equal ones.
@@ -151,8 +161,15 @@ class BeliefSearch {
     return sum;
   }
 
+  double valueBound(const SparseBelief& belief) const {
+    if (options_.ranking == Ranking::kJoint) return weighed(belief, values_);
+    double most = 0;
+    for (const Mass& entry : belief) most = std::max(most, values_[index(entry.state)]);
+    return most;
+  }
+
   void push(std::size_t parent, Action action, std::size_t length, std::size_t belief) {
-    const double bound = std::pow(options_.discount, length) * weighed(beliefs_[belief], values_);
+    const double bound = std::pow(options_.discount, length) * valueBound(beliefs_[belief]);
     if (bound < kLeastScore) return;
     nodes_.push_back({parent, action, length, belief});
     queue_.push({bound, false, length, nodes_.size() - 1});

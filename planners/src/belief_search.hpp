@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "conceptplan/planners/belief_planner.hpp"
 #include "conceptplan/planners/belief_update.hpp"
 #include "search_guard.hpp"
 
 namespace conceptplan {
 
-/// An action sequence and what it scores: discount^length times the joint probability.
+/// An action sequence and what it scores: discount^length times its probability.
 struct ScoredSequence {
   ActionSequence actions;
   double score = 0;
@@ -22,16 +23,19 @@ struct BeliefSearchOptions {
   std::size_t top = 1;               ///< sequences wanted
   std::size_t paths_per_belief = 1;  ///< ways to one belief that are told apart
   bool distinct_outcomes = false;    ///< a sequence counts only if its outcome is new
-  double least_share = 0;            ///< of the best score; worse sequences are not wanted
+  Ranking ranking = Ranking::kJoint;
+  double least_share = 0;  ///< of the best score; worse sequences are not wanted
 };
 
 /// The best action sequences by score, best first, by best-first search over beliefs.
 ///
-/// A belief is never scaled, so its future is linear in it and
+/// The search is exact, since it is ordered by an upper bound of the score. For kJoint a belief is
+/// never scaled, so its future is linear in it and
 /// `score <= discount^t * sum over s of b(s) V(s)`, where V is the value if the state could be seen
-/// (Littman, Cassandra and Kaelbling's QMDP, 1995, doi:10.1016/b978-1-55860-377-6.50052-9). That
-/// bound orders the search, which makes it exact; sequences that lead to the same belief share its
-/// node, since the rest of their score is the same.
+/// (Littman, Cassandra and Kaelbling's QMDP, 1995, doi:10.1016/b978-1-55860-377-6.50052-9). For
+/// kConditional scaling may leave any one state, so the bound is the best goal that any state of
+/// the belief leads to. Sequences that lead to the same belief share its node, since the rest of
+/// their score is the same; actions that leave the belief as it is are not taken.
 /// @param start a measure over states; what it leaves out is not searched for.
 std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const StateBelief& start,
                                           const StateBelief& goal,

@@ -14,7 +14,7 @@ void PlannerRegistry::add(PlannerEntry entry) {
   entries_.push_back(std::move(entry));
 }
 
-const PlannerEntry* PlannerRegistry::find(std::string_view name) const {
+const PlannerEntry* PlannerRegistry::find(std::string_view name) const& {
   for (const PlannerEntry& entry : entries_) {
     if (entry.name == name) return &entry;
   }

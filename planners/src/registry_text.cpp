@@ -7,7 +7,7 @@ namespace conceptplan {
 std::string toMarkdown(const PlannerRegistry& registry) {
   std::string text =
       "# Planners\n\n"
-      "Made by `conceptplan planners --markdown` from the registry; do not edit by hand.\n";
+      "Made from the registry of planners and held to it by a test; do not edit by hand.\n";
   for (const PlannerEntry& entry : registry.entries()) {
     text += "\n## " + entry.name + "\n\n" + entry.summary + "\n\nSource: " + entry.source +
             "\n\nGuarantees:\n\n";
@@ -17,7 +17,7 @@ std::string toMarkdown(const PlannerRegistry& registry) {
       std::string range = option.range();
       for (std::size_t bar = range.find('|'); bar != std::string::npos;
            bar = range.find('|', bar + 2)) {
-        range.insert(bar, "\\");
+        range.insert(bar, 1, '\\');
       }
       text += "| `" + option.name + "` | " + option.typeName() + " | " + option.standard + " | " +
               range + " | " + option.summary + " |\n";

@@ -30,7 +30,7 @@ PlannerEntry beliefEntry() {
       "(Littman, Cassandra and Kaelbling, 1995, doi:10.1016/b978-1-55860-377-6.50052-9).",
       {"Plans are distinct and ordered by probability, discounted by step_discount an action; ties "
        "go to the shorter plan, then to the order of the actions.",
-       "With ranking joint the first plan is the best one within the horizon, up to start states "
+       "The first plan is the best one within the horizon, up to start states "
        "below min_hypothesis; a search stopped by a limit says so.",
        "infeasible is proved on the compiled graph; giving up is limit or timeout."},
       {legalityThreshold(),

@@ -49,12 +49,10 @@ SymbolId Relabelling::symbol(Concept which, int value) const {
 }
 
 Symbols Relabelling::symbols(const ObjectState& object) const {
-  return {symbol(Concept::kType, seenType(object.type)),
-          symbol(Concept::kPositionX, object.cell.x),
-          symbol(Concept::kPositionY, object.cell.y),
-          symbol(Concept::kRotation, object.rotation),
-          symbol(Concept::kColor, object.color),
-          symbol(Concept::kSize, object.size)};
+  return {
+      symbol(Concept::kType, seenType(object.type)), symbol(Concept::kPositionX, object.cell.x),
+      symbol(Concept::kPositionY, object.cell.y),    symbol(Concept::kRotation, object.rotation),
+      symbol(Concept::kColor, object.color),         symbol(Concept::kSize, object.size)};
 }
 
 SymbolGrounding Relabelling::grounding() const {
@@ -131,7 +129,7 @@ const Relabelling& learnedRelabelling() {
 
 const SymbolicModel& learnedModel() {
   static const SymbolicModel model =
-      estimateSymbolicModel(trainingTriplets(learnedRelabelling(), {1, 2, 3, 4}, 1000, 0, 1),
+      estimateSymbolicModel(trainingTriplets(learnedRelabelling(), {1, 2, 3, 4}, 500, 0, 1),
                             learnedRelabelling().grounding(), kConceptCardinality);
   return model;
 }

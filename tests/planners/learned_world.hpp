@@ -35,7 +35,7 @@ std::vector<Triplet> trainingTriplets(const Relabelling& relabelling,
                                       const std::vector<int>& levels, int tasks_per_level,
                                       double misread, std::uint64_t seed);
 
-/// A model learned from 1,000 tasks of each level, read without error; made once a process.
+/// A model learned from 500 tasks of each level, read without error; made once a process.
 const SymbolicModel& learnedModel();
 
 /// The relabelling of `learnedModel`.

@@ -1,9 +1,10 @@
 #include "conceptplan/fcl/fcl_validity.hpp"
 
 #include <fcl/geometry/shape/cylinder.h>
-#include <fcl/narrowphase/distance.h>
+#include <fcl/narrowphase/collision.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -12,28 +13,42 @@
 namespace conceptplan {
 namespace {
 
-/// An upright cylinder that stands in the middle of its cell.
-fcl::CollisionObjectd standing(const Workbench& workbench, Cell cell, double radius_m,
-                               double height_m) {
-  const Eigen::Vector2d p_WCell = workbench.p_WCell(cell);
-  return {std::make_shared<fcl::Cylinderd>(radius_m, height_m), fcl::Matrix3d::Identity(),
-          fcl::Vector3d(p_WCell.x(), p_WCell.y(), 0.5 * height_m)};
+/// What an object takes up: an upright cylinder in the middle of its cell.
+struct Body {
+  Eigen::Vector2d p_WCentre;
+  double radius_m;
+  double height_m;
+
+  bool measured() const {
+    return std::isfinite(radius_m) && radius_m > 0 && std::isfinite(height_m) && height_m > 0;
+  }
+};
+
+/// @param grown_m is added to the radius.
+fcl::CollisionObjectd standing(const Body& body, double grown_m) {
+  return {std::make_shared<fcl::Cylinderd>(body.radius_m + grown_m, body.height_m),
+          fcl::Matrix3d::Identity(),
+          fcl::Vector3d(body.p_WCentre.x(), body.p_WCentre.y(), 0.5 * body.height_m)};
 }
 
-/// Distance between two objects, metres; 0 where they meet.
-double distance_m(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b) {
-  const fcl::DistanceRequestd request(false);
-  fcl::DistanceResultd result;
-  fcl::distance(&a, &b, request, result);
-  return std::max(0.0, result.min_distance);
+bool meet(const Body& a, const Body& b, double margin_m) {
+  const fcl::CollisionObjectd grown = standing(a, margin_m);
+  const fcl::CollisionObjectd other = standing(b, 0);
+  const fcl::CollisionRequestd request(1, false);
+  fcl::CollisionResultd result;
+  return fcl::collide(&grown, &other, request, result) > 0;
+}
+
+/// Both stand on the workbench, so their distance is that of their discs; negative where they meet.
+double clearance_m(const Body& a, const Body& b) {
+  return (a.p_WCentre - b.p_WCentre).norm() - a.radius_m - b.radius_m;
 }
 
 /// From a disc to the nearest edge of the workbench, metres; negative where it sticks out.
-double edgeClearance_m(const Workbench& workbench, Cell cell, double radius_m) {
-  const Eigen::Array2d p_WCell = workbench.p_WCell(cell).array().abs();
+double edgeClearance_m(const Workbench& workbench, const Body& body) {
   const Eigen::Array2d half_m =
       0.5 * workbench.cell_m * Eigen::Array2d(workbench.columns, workbench.rows);
-  return (half_m - p_WCell).minCoeff() - radius_m;
+  return (half_m - body.p_WCentre.array().abs()).minCoeff() - body.radius_m;
 }
 
 }  // namespace
@@ -52,27 +67,27 @@ FclValidity::FclValidity(const FclValidityOptions& options) : options_(options) 
 Verdict FclValidity::check(const Workbench& workbench, const SymbolGrounding& grounding,
                            const Symbols& target, std::span<const Symbols> others) const {
   const double widest_m = options_.max_radius_cells * workbench.cell_m;
-  const auto radius_m = [&](const Symbols& symbols) {
-    return std::min(widest_m, grounding.footprint(symbols).radius_m);
+  const auto bodyOf = [&](const Symbols& symbols) {
+    const Footprint& footprint = grounding.footprint(symbols);
+    return Body{workbench.p_WCell(grounding.cell(symbols)), std::min(footprint.radius_m, widest_m),
+                footprint.height_m};
   };
-  const auto body = [&](const Symbols& symbols) {
-    return standing(workbench, grounding.cell(symbols), radius_m(symbols),
-                    grounding.footprint(symbols).height_m);
-  };
-  const double edge_m = edgeClearance_m(workbench, grounding.cell(target), radius_m(target));
-  if (edge_m < 0) return {Invalidity::kWorkbenchEdge, 0, edge_m};
+  const Body own = bodyOf(target);
+  if (!own.measured()) return {Invalidity::kCheckFailed, 0, 0};
+  Verdict nearest{Invalidity::kNone, 0, edgeClearance_m(workbench, own)};
+  if (nearest.clearance_m < 0) return {Invalidity::kWorkbenchEdge, 0, nearest.clearance_m};
   try {
-    const fcl::CollisionObjectd own = body(target);
-    Verdict nearest{Invalidity::kNone, 0, edge_m};
     for (std::size_t i = 0; i < others.size(); ++i) {
-      const double clearance_m = distance_m(own, body(others[i]));
-      if (clearance_m < options_.margin_m) return {Invalidity::kCollision, i, clearance_m};
-      nearest.clearance_m = std::min(nearest.clearance_m, clearance_m);
+      const Body other = bodyOf(others[i]);
+      if (!other.measured()) return {Invalidity::kCheckFailed, i, 0};
+      const double distance_m = clearance_m(own, other);
+      if (meet(own, other, options_.margin_m)) return {Invalidity::kCollision, i, distance_m};
+      nearest.clearance_m = std::min(nearest.clearance_m, distance_m);
     }
-    return nearest;
   } catch (const std::exception&) {
     return {Invalidity::kCheckFailed, 0, 0};
   }
+  return nearest;
 }
 
 std::array<bool, kNumConcepts> FclValidity::dependsOn() const {

@@ -30,10 +30,12 @@ class PlannerRegistry {
   /// @throws std::invalid_argument if the name is taken.
   void add(PlannerEntry entry);
 
-  /// In order of addition.
-  const std::vector<PlannerEntry>& entries() const { return entries_; }
+  /// In order of addition. Of a named registry alone, since the entries live in it.
+  const std::vector<PlannerEntry>& entries() const& { return entries_; }
+  const std::vector<PlannerEntry>& entries() const&& = delete;
   /// Null if there is none.
-  const PlannerEntry* find(std::string_view name) const;
+  const PlannerEntry* find(std::string_view name) const&;
+  const PlannerEntry* find(std::string_view name) const&& = delete;
 
   /// @param path stands in the faults.
   /// @throws InputError for an unknown planner (key "planner.name") or wrong options, all at once;

@@ -18,8 +18,12 @@ struct FclValidityOptions {
 
 /// Validity by collision geometry: upright cylinders of the measured footprints at the centres of
 /// the cells that the position symbols stand for, against each other and the workbench's edge.
-/// FCL is asked for distances only, no contacts; what it throws becomes
-/// `Invalidity::kCheckFailed`. Thread-safe.
+/// The target is grown by the margin and FCL asked whether it meets another cylinder, without
+/// contacts; a footprint without a measure and whatever FCL throws give `Invalidity::kCheckFailed`.
+/// `Verdict::clearance_m` is the distance to the nearest object or edge. Thread-safe.
+///
+/// FCL's distance query is left out with intent: its GJK aborts the process on an assertion for
+/// some poses (FCL 0.7, gjk_libccd-inl.h, doSimplex2).
 class FclValidity final : public StateValidity {
  public:
   /// @throws std::invalid_argument if an option is out of range.

@@ -1,0 +1,222 @@
+// What every registered planner must keep, whatever else it does.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <set>
+#include <stdexcept>
+
+#include "conceptplan/domain/simulation/judgement.hpp"
+#include "conceptplan/domain/simulation/simulator.hpp"
+#include "conceptplan/domain/simulation/task_generator.hpp"
+#include "conceptplan/planners/planner_registry.hpp"
+#include "planners/learned_world.hpp"
+
+namespace conceptplan {
+namespace {
+
+using testing::learnedModel;
+using testing::learnedRelabelling;
+
+Task testTask(int level, int number) {
+  TaskOptions options;
+  options.level = level;
+  options.split = Split::kTest;
+  options.seed = 7;
+  return TaskGenerator(options).task(number);
+}
+
+SymbolGraph graphOf(const Task& task) {
+  return compile(learnedModel(), learnedRelabelling().problem(task), GridValidity());
+}
+
+/// The target in a corner behind two obstacles.
+Task lockedInTask() {
+  Task task;
+  task.level = 2;
+  task.initial.objects = {{ObjectType::kCup, {0, 0}, 0, 0, 0},
+                          {ObjectType::kPot, {1, 0}, 0, 0, 0},
+                          {ObjectType::kEgg, {0, 1}, 0, 0, 0}};
+  task.goal = task.initial.objects[0];
+  task.goal.cell = {2, 4};
+  return task;
+}
+
+class PlannerContract : public ::testing::TestWithParam<std::string> {
+ protected:
+  PlanResult solve(const Task& task, const PlanQuery& query = {}) const {
+    return planner_->solve(graphOf(task), query);
+  }
+
+  const std::unique_ptr<Planner> planner_ = PlannerRegistry::standard().make(GetParam());
+};
+
+TEST_P(PlannerContract, StartEqualsGoalGivesTheEmptyPlanFirst) {
+  Task task = testTask(2, 0);
+  task.goal = task.initial.objects[task.initial.target];
+  const PlanResult result = solve(task);
+  ASSERT_EQ(result.status, PlanStatus::kSolved);
+  EXPECT_TRUE(result.plans.front().actions.empty());
+  EXPECT_TRUE(result.plans.front().predicted.empty());
+}
+
+TEST_P(PlannerContract, AGoalOutOfReachIsProvedInfeasible) {
+  const PlanResult result = solve(lockedInTask());
+  EXPECT_EQ(result.status, PlanStatus::kInfeasible);
+  EXPECT_TRUE(result.plans.empty());
+  EXPECT_FALSE(result.reason.empty());
+  EXPECT_TRUE(std::any_of(
+      result.rejections.begin(), result.rejections.end(), [](const Rejection& rejection) {
+        return rejection.cause == Invalidity::kCollision || rejection.cause == Invalidity::kNone;
+      }));
+}
+
+TEST_P(PlannerContract, EveryFirstPlanSolvesItsTaskInTheSimulator) {
+  for (int level = 1; level <= 4; ++level) {
+    for (int i = 0; i < 100; ++i) {
+      const Task task = testTask(level, i);
+      const PlanResult result = solve(task);
+      ASSERT_EQ(result.status, PlanStatus::kSolved) << task.id << ": " << result.reason;
+      EXPECT_TRUE(judge(task, result.plans.front().actions).succeeded()) << task.id;
+    }
+  }
+}
+
+TEST_P(PlannerContract, EveryPlanReplaysToThePredictedSymbols) {
+  for (int i = 0; i < 50; ++i) {
+    const Task task = testTask(4, i);
+    for (const Plan& plan : solve(task).plans) {
+      ASSERT_EQ(plan.predicted.size(), plan.actions.size());
+      World world = task.initial;
+      for (std::size_t step = 0; step < plan.actions.size(); ++step) {
+        ASSERT_FALSE(advance(world, plan.actions[step])) << task.id;
+        EXPECT_EQ(plan.predicted[step], learnedRelabelling().symbols(world.objects[world.target]));
+      }
+      EXPECT_EQ(world.objects[world.target], task.goal);
+      EXPECT_NEAR(plan.probability, 1, 1e-9);
+    }
+  }
+}
+
+TEST_P(PlannerContract, PlansAreDistinctAsManyAsAskedForAndBestFirst) {
+  for (int i = 0; i < 20; ++i) {
+    PlanQuery query;
+    query.top = 7;
+    const PlanResult result = solve(testTask(3, i), query);
+    EXPECT_EQ(result.plans.size(), 7u);
+    std::set<ActionSequence> distinct;
+    for (const Plan& plan : result.plans) distinct.insert(plan.actions);
+    EXPECT_EQ(distinct.size(), result.plans.size());
+    EXPECT_TRUE(
+        std::is_sorted(result.plans.begin(), result.plans.end(),
+                       [](const Plan& a, const Plan& b) { return a.cost < b.cost - 1e-9; }));
+  }
+}
+
+TEST_P(PlannerContract, PlansAreAsShortAsTheReferenceWhereNothingIsUncertain) {
+  for (int i = 0; i < 50; ++i) {
+    const Task task = testTask(4, i);
+    EXPECT_EQ(solve(task).plans.front().actions.size(), task.reference.size()) << task.id;
+  }
+}
+
+TEST_P(PlannerContract, TheSameCallGivesTheSameResult) {
+  const Task task = testTask(4, 3);
+  EXPECT_EQ(solve(task), solve(task));
+}
+
+TEST_P(PlannerContract, ThreadsMayShareOne) {
+  const SymbolGraph graph = graphOf(testTask(4, 5));
+  const PlanResult alone = planner_->solve(graph, {});
+  std::vector<std::future<PlanResult>> results;
+  for (int i = 0; i < 4; ++i) {
+    results.push_back(std::async(std::launch::async, [&] { return planner_->solve(graph, {}); }));
+  }
+  for (auto& result : results) EXPECT_EQ(result.get(), alone);
+}
+
+TEST_P(PlannerContract, TheLimitOfExpansionsIsHonoured) {
+  PlanQuery query;
+  query.limits.max_expansions = 1;
+  const PlanResult result = solve(testTask(3, 1), query);
+  EXPECT_EQ(result.status, PlanStatus::kLimit);
+  EXPECT_LE(result.statistics.expanded, 1u);
+  EXPECT_THAT(result.reason, ::testing::HasSubstr("limit of 1 expansions"));
+}
+
+TEST_P(PlannerContract, ATimeLimitIsHonoured) {
+  PlanQuery query;
+  query.limits.timeout_s = 1e-9;
+  const PlanResult result = solve(testTask(3, 1), query);
+  EXPECT_EQ(result.status, PlanStatus::kTimeout);
+  EXPECT_THAT(result.reason, ::testing::HasSubstr("time limit"));
+}
+
+TEST_P(PlannerContract, ACancelIsHonoured) {
+  const std::atomic<bool> cancel{true};
+  PlanQuery query;
+  query.limits.cancel = &cancel;
+  const PlanResult result = solve(testTask(3, 1), query);
+  EXPECT_EQ(result.status, PlanStatus::kLimit);
+  EXPECT_EQ(result.reason, "cancelled");
+}
+
+TEST_P(PlannerContract, TheHorizonIsHonoured) {
+  const Task task = testTask(4, 2);
+  ASSERT_GT(task.reference.size(), 1u);
+  PlanQuery query;
+  query.limits.horizon = task.reference.size() - 1;
+  EXPECT_EQ(solve(task, query).status, PlanStatus::kInfeasible);
+  query.limits.horizon = task.reference.size();
+  const PlanResult result = solve(task, query);
+  ASSERT_EQ(result.status, PlanStatus::kSolved);
+  for (const Plan& plan : result.plans) EXPECT_LE(plan.actions.size(), task.reference.size());
+}
+
+TEST_P(PlannerContract, QueriesForNothingAreRefused) {
+  PlanQuery no_plan;
+  no_plan.top = 0;
+  EXPECT_THAT(
+      [&] { solve(testTask(1, 0), no_plan); },
+      ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("at least one plan")));
+  PlanQuery no_time;
+  no_time.limits.timeout_s = 0;
+  EXPECT_THAT(
+      [&] { solve(testTask(1, 0), no_time); },
+      ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("timeout_s is 0")));
+  PlanQuery no_expansions;
+  no_expansions.limits.max_expansions = 0;
+  EXPECT_THAT(
+      [&] { solve(testTask(1, 0), no_expansions); },
+      ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("max_expansions is 0")));
+}
+
+std::vector<std::string> plannerNames() {
+  std::vector<std::string> names;
+  const PlannerRegistry registry = PlannerRegistry::standard();
+  for (const PlannerEntry& entry : registry.entries()) {
+    names.push_back(entry.name);
+  }
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryPlanner, PlannerContract, ::testing::ValuesIn(plannerNames()),
+                         [](const auto& planner) { return planner.param; });
+
+TEST(BfsOptimality, PlansAreAsLongAsTheReferenceOn300TasksOfEachLevel) {
+  const std::unique_ptr<Planner> planner = PlannerRegistry::standard().make("bfs");
+  PlanQuery query;
+  query.top = 1;
+  for (int level = 1; level <= 4; ++level) {
+    for (int i = 0; i < 300; ++i) {
+      const Task task = testTask(level, i);
+      const PlanResult result = planner->solve(graphOf(task), query);
+      ASSERT_EQ(result.status, PlanStatus::kSolved) << task.id;
+      EXPECT_EQ(result.plans.front().actions.size(), task.reference.size()) << task.id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace conceptplan

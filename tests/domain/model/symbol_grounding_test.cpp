@@ -1,0 +1,40 @@
+#include "conceptplan/domain/model/symbol_grounding.hpp"
+
+#include <gmock/gmock.h>
+
+namespace conceptplan {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(SymbolGrounding, TheStandardOneHasNoFaults) {
+  EXPECT_THAT(standardGrounding().faults(kConceptCardinality), IsEmpty());
+}
+
+TEST(SymbolGrounding, TellsEveryFault) {
+  SymbolGrounding grounding = standardGrounding();
+  grounding.columns = {0, -1};
+  grounding.footprints[3][1].radius_m = 0;
+  grounding.footprints.pop_back();
+  grounding.names[index(Concept::kSize)].resize(5);
+  EXPECT_THAT(grounding.faults(kConceptCardinality),
+              ElementsAre("columns: expected 3 entries, found 2",
+                          "columns[1]: expected a cell index >= 0, found -1",
+                          "footprints: expected 8 rows, found 7",
+                          HasSubstr("footprints[3]: expected radius and height > 0 m"),
+                          "names.SIZE: expected at most 4 names, found 5"));
+}
+
+TEST(SymbolGrounding, NamesSymbolsByNumberWhereTheyHaveNoName) {
+  SymbolGrounding grounding = standardGrounding();
+  EXPECT_EQ(grounding.name(Concept::kColor, SymbolId{4}), "blue");
+  grounding.names[index(Concept::kColor)] = {"", "gold"};
+  EXPECT_EQ(grounding.name(Concept::kColor, SymbolId{0}), "COLOR 0");
+  EXPECT_EQ(grounding.name(Concept::kColor, SymbolId{1}), "gold");
+  EXPECT_EQ(grounding.name(Concept::kColor, SymbolId{4}), "COLOR 4");
+}
+
+}  // namespace
+}  // namespace conceptplan

@@ -1,0 +1,115 @@
+#include "conceptplan/planners/symbol_graph.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "planners/tiny_world.hpp"
+
+namespace conceptplan {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::ThrowsMessage;
+using testing::tinyModel;
+using testing::tinyProblem;
+using testing::tinySymbols;
+
+SymbolicProblem withDyer() {
+  SymbolicProblem problem = tinyProblem(tinySymbols(0, 0, 0, 0), tinySymbols(0, 1, 0, 1));
+  problem.initial.objects.push_back(certain(tinySymbols(1, 2, 0, 1), testing::kTinyCardinality));
+  return problem;
+}
+
+TEST(SymbolGraph, StatesPackTheConceptsThatActionsChange) {
+  const SymbolGraph graph = compile(tinyModel(), withDyer(), GridValidity());
+  EXPECT_EQ(graph.numStates(), 3u * 2 * 2);
+  for (std::size_t i = 0; i < graph.numStates(); ++i) {
+    const auto state = static_cast<StateId>(i);
+    EXPECT_EQ(graph.state(graph.symbols(state)), state);
+  }
+  EXPECT_EQ(graph.symbols(graph.mostProbableStart()), tinySymbols(0, 0, 0, 0));
+  EXPECT_EQ(graph.symbols(graph.mostProbableGoal()), tinySymbols(0, 1, 0, 1));
+}
+
+TEST(SymbolGraph, WithoutADyerColourIsFrozenHereAndTypeAlways) {
+  const SymbolGraph graph = compile(
+      tinyModel(), tinyProblem(tinySymbols(0, 0, 0, 0), tinySymbols(0, 1, 0, 0)), GridValidity());
+  EXPECT_EQ(graph.numStates(), 3u * 2);
+  EXPECT_EQ(graph.mutability(Concept::kColor), Mutability::kFrozenHere);
+  EXPECT_EQ(graph.mutability(Concept::kType), Mutability::kNeverChanges);
+  EXPECT_EQ(graph.mutability(Concept::kPositionX), Mutability::kChanges);
+  EXPECT_EQ(graph.legality(graph.mostProbableStart(), Action::kChangeColor), 0);
+}
+
+TEST(SymbolGraph, FrozenAgreementCountsColourButNotType) {
+  SymbolicProblem problem = tinyProblem(tinySymbols(0, 0, 0, 0), tinySymbols(1, 0, 0, 0));
+  problem.goal[index(Concept::kColor)] = {0.3, 0.7};
+  EXPECT_DOUBLE_EQ(compile(tinyModel(), problem, GridValidity()).frozenAgreement(), 0.3);
+}
+
+TEST(SymbolGraph, TransitionsAreDistributionsByFallingProbability) {
+  const SymbolGraph graph = compile(tinyModel(), withDyer(), GridValidity());
+  for (std::size_t i = 0; i < graph.numStates(); ++i) {
+    for (const Action action : kActions) {
+      double sum = 0;
+      double last = 1;
+      for (const Transition& transition : graph.transitions(static_cast<StateId>(i), action)) {
+        EXPECT_LE(transition.probability, last);
+        EXPECT_DOUBLE_EQ(transition.cost, -std::log(transition.probability));
+        last = transition.probability;
+        sum += transition.probability;
+      }
+      EXPECT_NEAR(sum, 1, 1e-12);
+    }
+  }
+}
+
+TEST(SymbolGraph, AnActionWithoutSlipHasOneTransition) {
+  const SymbolGraph graph = compile(tinyModel(), withDyer(), GridValidity());
+  const auto transitions =
+      graph.transitions(graph.state(tinySymbols(0, 1, 0, 0)), Action::kChangeColor);
+  ASSERT_THAT(transitions, SizeIs(1));
+  EXPECT_EQ(graph.symbols(transitions.front().state), tinySymbols(0, 1, 0, 1));
+}
+
+TEST(SymbolGraph, OneCheckServesAllStatesOfACell) {
+  const SymbolGraph graph = compile(tinyModel(), withDyer(), GridValidity());
+  EXPECT_EQ(graph.validityChecks(), 3u);
+  EXPECT_FALSE(graph.valid(graph.state(tinySymbols(0, 2, 1, 0))));
+  EXPECT_TRUE(graph.valid(graph.state(tinySymbols(0, 1, 1, 0))));
+}
+
+TEST(SymbolGraph, StateBeliefIsTheProductOfTheConcepts) {
+  const SymbolGraph graph = compile(tinyModel(), withDyer(), GridValidity());
+  SymbolBelief belief = certain(tinySymbols(0, 0, 0, 0), testing::kTinyCardinality);
+  belief[index(Concept::kPositionX)] = {0.5, 0.25, 0.25};
+  belief[index(Concept::kRotation)] = {0.9, 0.1};
+  const std::vector<double> states = graph.stateBelief(belief);
+  EXPECT_DOUBLE_EQ(states[index(graph.state(tinySymbols(0, 1, 1, 0)))], 0.025);
+  EXPECT_DOUBLE_EQ(std::accumulate(states.begin(), states.end(), 0.0), 1);
+}
+
+TEST(SymbolGraph, RefusesProblemsThatDoNotFit) {
+  const auto compiled = [](const SymbolicProblem& problem) {
+    return [problem] { compile(tinyModel(), problem, GridValidity()); };
+  };
+  SymbolicProblem no_target = withDyer();
+  no_target.initial.target = 2;
+  EXPECT_THAT(compiled(no_target),
+              ThrowsMessage<std::invalid_argument>("the target is object 2 of 2"));
+  SymbolicProblem wrong_size = withDyer();
+  wrong_size.goal[index(Concept::kPositionX)] = {1};
+  EXPECT_THAT(compiled(wrong_size), ThrowsMessage<std::invalid_argument>(
+                                        "goal, POSITION_X: expected 3 symbols, found 1"));
+  SymbolicProblem no_distribution = withDyer();
+  no_distribution.initial.objects[1][index(Concept::kRotation)] = {0.5, 0.6};
+  EXPECT_THAT(compiled(no_distribution), ThrowsMessage<std::invalid_argument>(HasSubstr(
+                                             "object 1, ROTATION: the probabilities sum to 1.1")));
+}
+
+}  // namespace
+}  // namespace conceptplan
