@@ -94,7 +94,7 @@ PlanQuery query(std::size_t top, std::size_t horizon = 24) {
   return wanted;
 }
 
-TEST(BeliefPlanner, Eqs1To3RankLikeFullEnumeration) {
+TEST(BeliefPlanner, Eqs4To6RankLikeFullEnumeration) {
   const SymbolicModel model = tinyModel();
   const SymbolicProblem problem = unclearProblem();
   BeliefPlannerOptions options;
@@ -192,7 +192,7 @@ TEST(BeliefPlanner, HardSymbolsPlanForTheMostProbableReading) {
   EXPECT_DOUBLE_EQ(soft.plans.at(0).probability, 0.6 * 0.8);
 }
 
-TEST(BeliefPlanner, ConditionalRankingFollowsThePapersLetter) {
+TEST(BeliefPlanner, Eq6ConditionalRankingFollowsThePapersLetter) {
   // Seen in column 0 and hardly in 1. Moving left is possible only from 1, so that the scaled
   // belief takes the improbable start for the true one.
   SymbolicProblem problem = tinyProblem(tinySymbols(0, 0, 0, 0), tinySymbols(0, 0, 0, 0));

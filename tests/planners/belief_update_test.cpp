@@ -42,7 +42,7 @@ StateBelief mixed(const SymbolGraph& graph, double in_column_0, double in_column
   return belief;
 }
 
-TEST(BeliefUpdate, Eq1SumsOverAllStatesBefore) {
+TEST(BeliefUpdate, Eq4SumsOverAllStatesBefore) {
   const SymbolGraph graph = graphWith(GridValidity());
   const StateBelief next = propagate(graph, mixed(graph, 0.5, 0.5), Action::kMoveRight);
   EXPECT_DOUBLE_EQ(at(graph, next, 0, 0), 0.1);
@@ -51,14 +51,14 @@ TEST(BeliefUpdate, Eq1SumsOverAllStatesBefore) {
   EXPECT_DOUBLE_EQ(std::accumulate(next.begin(), next.end(), 0.0), 1);
 }
 
-TEST(BeliefUpdate, Eq1TurnsOneConceptAndLeavesTheOthers) {
+TEST(BeliefUpdate, Eq4TurnsOneConceptAndLeavesTheOthers) {
   const SymbolGraph graph = graphWith(GridValidity());
   const StateBelief next = propagate(graph, mixed(graph, 0.75, 0.25), Action::kRotateLeft);
   EXPECT_DOUBLE_EQ(at(graph, next, 0, 1), 0.75 * 0.9);
   EXPECT_DOUBLE_EQ(at(graph, next, 2, 0), 0.25 * 0.1);
 }
 
-TEST(BeliefUpdate, Eq2IgnoresIllegalActions) {
+TEST(BeliefUpdate, Eq5IgnoresIllegalActions) {
   const SymbolGraph graph = graphWith(GridValidity());
   const StateBelief next = propagateLegal(graph, mixed(graph, 0.5, 0.5), Action::kMoveRight, 0.01);
   EXPECT_DOUBLE_EQ(at(graph, next, 0, 0), 0.1);
@@ -66,14 +66,14 @@ TEST(BeliefUpdate, Eq2IgnoresIllegalActions) {
   EXPECT_DOUBLE_EQ(at(graph, next, 2, 0), 0);
 }
 
-TEST(BeliefUpdate, Eq2ComparesWithTheThreshold) {
+TEST(BeliefUpdate, Eq5ComparesWithTheThreshold) {
   const SymbolGraph graph = graphWith(GridValidity());
   const StateBelief belief = mixed(graph, 0, 1);
   EXPECT_DOUBLE_EQ(at(graph, propagateLegal(graph, belief, Action::kMoveRight, 0.0005), 2, 0), 1);
   EXPECT_DOUBLE_EQ(at(graph, propagateLegal(graph, belief, Action::kMoveRight, 0.001), 2, 0), 0);
 }
 
-TEST(BeliefUpdate, Eq3RemovesInvalidStatesAndScales) {
+TEST(BeliefUpdate, Eq6RemovesInvalidStatesAndScales) {
   const SymbolGraph graph = graphWith(MiddleIsTaken());
   StateBelief next = propagateLegal(graph, mixed(graph, 0.5, 0.5), Action::kMoveRight, 0);
   keepValid(graph, next);
@@ -83,7 +83,7 @@ TEST(BeliefUpdate, Eq3RemovesInvalidStatesAndScales) {
   EXPECT_DOUBLE_EQ(at(graph, next, 2, 0), 0.5 / 0.6);
 }
 
-TEST(BeliefUpdate, Eq3LeavesABeliefOfNothingAsItIs) {
+TEST(BeliefUpdate, Eq6LeavesABeliefOfNothingAsItIs) {
   StateBelief belief(3, 0);
   EXPECT_EQ(normalize(belief), 0);
   EXPECT_THAT(belief, ::testing::Each(0));
