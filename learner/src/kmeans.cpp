@@ -11,10 +11,10 @@ namespace {
 
 /// Squared distances of every point to every centre: [N, k].
 Eigen::MatrixXf squaredDistances(const TokenMatrix& points, const TokenMatrix& centers) {
-  Eigen::MatrixXf distances = -2.0F * points * centers.transpose();
-  distances.colwise() += points.rowwise().squaredNorm();
-  distances.rowwise() += centers.rowwise().squaredNorm().transpose();
-  return distances.cwiseMax(0.0F);
+  Eigen::MatrixXf distances(points.rows(), centers.rows());
+  for (Eigen::Index c = 0; c < centers.rows(); ++c)
+    distances.col(c) = (points.rowwise() - centers.row(c)).rowwise().squaredNorm();
+  return distances;
 }
 
 TokenMatrix plusPlusStart(const TokenMatrix& points, Eigen::Index clusters,

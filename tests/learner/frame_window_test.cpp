@@ -1,0 +1,53 @@
+#include "conceptplan/learner/frame_window.hpp"
+
+#include <gmock/gmock.h>
+
+namespace conceptplan {
+namespace {
+
+constexpr std::size_t kPixels = FrameWindow::kPixels;
+
+TEST(FrameWindow, StaysWithinTheFrame) {
+  EXPECT_EQ(windowAround(0, 0, 384, 256).left, 0);
+  EXPECT_EQ(windowAround(383, 255, 384, 256).left, 384 - 96);
+  EXPECT_EQ(windowAround(383, 255, 384, 256).top, 256 - 96);
+  EXPECT_EQ(windowAround(200, 100, 384, 256).left, 152);
+  EXPECT_THROW(windowAround(10, 10, 90, 256), std::invalid_argument);
+}
+
+TEST(FrameWindow, CutsBackgroundHoleAndObject) {
+  std::vector<std::uint8_t> rgb(3 * 384 * 256, 255), hole(384 * 256, 0);
+  hole[130 * 384 + 200] = 1;
+  DrawnObject object;
+  object.rgb.assign(3 * 64 * 64, 0.5F);
+  object.alpha.assign(64 * 64, 1.0F);
+  object.location = {0, 0, 0};  // crop from (160, 96)
+  const FrameWindow window = cutWindow(rgb, hole, 384, {150, 90}, object);
+  const auto at = [&](int plane, int x, int y) {
+    return window.planes[static_cast<std::size_t>(plane) * kPixels +
+                         static_cast<std::size_t>((y - 90) * 96 + x - 150)];
+  };
+  EXPECT_EQ(at(0, 151, 91), 1.0F);
+  EXPECT_EQ(at(0, 200, 130), 0.0F);  // in the hole
+  EXPECT_EQ(at(3, 200, 130), 1.0F);
+  EXPECT_EQ(at(3, 201, 130), 0.0F);
+  EXPECT_EQ(at(7, 159, 100), 0.0F);
+  EXPECT_EQ(at(7, 160, 96), 1.0F);
+  EXPECT_EQ(at(5, 223, 159), 0.5F);
+  EXPECT_EQ(at(7, 224, 159), 0.0F);
+}
+
+TEST(FrameWindow, HoleGrowsButSparesOtherObjects) {
+  std::vector<std::uint8_t> mask(20 * 10, 0);
+  mask[5 * 20 + 8] = 1;
+  mask[5 * 20 + 9] = 2;
+  const auto hole = holeOf(mask, 20, 10, 1);
+  EXPECT_EQ(hole[5 * 20 + 8], 1);
+  EXPECT_EQ(hole[5 * 20 + 6], 1);
+  EXPECT_EQ(hole[3 * 20 + 8], 1);
+  EXPECT_EQ(hole[5 * 20 + 9], 0);
+  EXPECT_EQ(hole[5 * 20 + 5], 0);
+}
+
+}  // namespace
+}  // namespace conceptplan

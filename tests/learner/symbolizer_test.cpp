@@ -1,0 +1,81 @@
+#include "conceptplan/learner/symbolizer.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace conceptplan {
+namespace {
+
+std::array<SymbolClusters, kNumConcepts> cornerClusters(double temperature) {
+  std::array<SymbolClusters, kNumConcepts> clusters;
+  for (std::size_t k = 0; k < kNumConcepts; ++k) {
+    const auto count = static_cast<Eigen::Index>(kConceptCardinality[k]);
+    clusters[k].centers = TokenMatrix::Zero(count, 64);
+    for (Eigen::Index s = 0; s < count; ++s) clusters[k].centers(s, s) = 3;
+    clusters[k].temperature = temperature;
+  }
+  return clusters;
+}
+
+TEST(Symbolizer, TakesTheNearestCentre) {
+  const Symbolizer symbolizer(cornerClusters(1));
+  Tokens tokens = Tokens::Zero();
+  for (Eigen::Index k = 0; k < 6; ++k) tokens(k, 2) = 2.5F;
+  const Symbols symbols = symbolizer.nearest(tokens);
+  for (const SymbolId symbol : symbols) EXPECT_EQ(symbol, SymbolId{2});
+  EXPECT_EQ(mostProbable(symbolizer.belief(tokens)), symbols);
+}
+
+TEST(Symbolizer, BeliefIsASoftmaxOfSquaredDistances) {
+  const Symbolizer symbolizer(cornerClusters(4));
+  Tokens tokens = Tokens::Zero();
+  tokens(1, 0) = 1;  // POSITION_X: squared distances 4, 10, 10
+  const auto belief = symbolizer.belief(tokens)[index(Concept::kPositionX)];
+  EXPECT_NEAR(belief[0], 1 / (1 + 2 * std::exp(-6.0 / 4)), 1e-6);
+  EXPECT_NEAR(std::accumulate(belief.begin(), belief.end(), 0.0), 1, 1e-12);
+}
+
+TEST(Symbolizer, RefusesNoCentresAndBadTemperatures) {
+  auto clusters = cornerClusters(1);
+  clusters[0].temperature = 0;
+  EXPECT_THAT([&] { Symbolizer{clusters}; },
+              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("TYPE")));
+}
+
+/// Distances whose right symbol is drawn from the softmax at the temperature.
+void drawCalibrated(double temperature, Eigen::MatrixXd& distances, std::vector<SymbolId>& right) {
+  std::mt19937_64 generator(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  distances.resize(4000, 3);
+  for (Eigen::Index i = 0; i < distances.rows(); ++i) {
+    for (Eigen::Index s = 0; s < 3; ++s) distances(i, s) = 10 * uniform(generator);
+    Eigen::ArrayXd p = (-distances.row(i).transpose().array() / temperature).exp();
+    p /= p.sum();
+    double draw = uniform(generator);
+    int symbol = 0;
+    while (symbol < 2 && (draw -= p[symbol]) > 0) ++symbol;
+    right.push_back(SymbolId{symbol});
+  }
+}
+
+TEST(Calibration, FindsTheTemperatureThatMadeTheData) {
+  Eigen::MatrixXd distances;
+  std::vector<SymbolId> right;
+  drawCalibrated(2.5, distances, right);
+  EXPECT_NEAR(fitTemperature(distances, right), 2.5, 0.2);
+}
+
+TEST(Calibration, ErrorIsSmallAtTheRightTemperatureAndLargeAtAWrongOne) {
+  Eigen::MatrixXd distances;
+  std::vector<SymbolId> right;
+  drawCalibrated(2.5, distances, right);
+  EXPECT_LT(calibrationError(distances, right, 2.5), 0.03);
+  EXPECT_GT(calibrationError(distances, right, 0.25), 0.1);
+  EXPECT_THROW(calibrationError(distances, {}, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace conceptplan

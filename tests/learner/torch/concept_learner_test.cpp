@@ -1,0 +1,68 @@
+#include "conceptplan/learner/concept_learner.hpp"
+
+#include <gmock/gmock.h>
+
+#include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/learner/torch/concept_network.hpp"
+#include "conceptplan/learner/torch/module_tensors.hpp"
+#include "learner/random_crops.hpp"
+
+namespace conceptplan {
+namespace {
+
+NamedTensors freshTensors(EncoderKind encoder) {
+  torch::manual_seed(3);
+  return tensorsOf(*ConceptNetwork(encoder), "concepts.");
+}
+
+TEST(ConceptLearner, SavedAndLoadedGivesTheSameTokens) {
+  const NamedTensors tensors = freshTensors(EncoderKind::kObjectCentred);
+  const std::vector<EncoderInput> inputs{encoderInput(coloredBlob(1)),
+                                         encoderInput(coloredBlob(2))};
+  const ConceptLearner learner(tensors, EncoderKind::kObjectCentred, "m");
+  const ConceptLearner loaded(decodeTensors(encodeTensors(tensors, TensorPrecision::kFloat32), "m"),
+                              EncoderKind::kObjectCentred, "m");
+  EXPECT_EQ(learner.encode(inputs), loaded.encode(inputs));
+}
+
+TEST(ConceptLearner, TokensHaveFixedLengthAndDifferBetweenObjects) {
+  for (const auto encoder : {EncoderKind::kObjectCentred, EncoderKind::kFullFrame}) {
+    const ConceptLearner learner(freshTensors(encoder), encoder, "m");
+    const std::vector<EncoderInput> inputs{encoderInput(coloredBlob(1)),
+                                           encoderInput(coloredBlob(2))};
+    const auto tokens = learner.encode(inputs);
+    ASSERT_EQ(tokens.size(), 2U);
+    for (Eigen::Index k = 0; k < 6; ++k) EXPECT_NEAR(tokens[0].row(k).norm(), 8, 1e-2);
+    EXPECT_GT((tokens[0] - tokens[1]).norm(), 1e-3);
+  }
+}
+
+TEST(ConceptLearner, DrawsPicturesInRange) {
+  const ConceptLearner learner(freshTensors(EncoderKind::kObjectCentred),
+                               EncoderKind::kObjectCentred, "m");
+  const std::vector<EncoderInput> inputs{encoderInput(coloredBlob(1))};
+  const auto drawn = learner.draw(learner.encode(inputs));
+  ASSERT_EQ(drawn.size(), 1U);
+  EXPECT_EQ(drawn[0].rgb.size(), 3U * 64 * 64);
+  EXPECT_EQ(drawn[0].alpha.size(), 64U * 64);
+  EXPECT_THAT(drawn[0].rgb, testing::Each(testing::AllOf(testing::Ge(0.0F), testing::Le(1.0F))));
+  EXPECT_TRUE(learner.draw({}).empty());
+}
+
+TEST(ConceptLearner, NamesEveryTensorThatIsMissingOrMisshapen) {
+  NamedTensors tensors = freshTensors(EncoderKind::kObjectCentred);
+  tensors.erase("concepts.concept_queries");
+  tensors["concepts.positions"] = {{2}, {0, 0}};
+  try {
+    ConceptLearner(tensors, EncoderKind::kObjectCentred, "concepts.safetensors");
+    FAIL() << "expected an InputError";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("concepts.concept_queries: expected shape [6, 64], found none"));
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("concepts.positions: expected shape [64, 64], found [2]"));
+  }
+}
+
+}  // namespace
+}  // namespace conceptplan

@@ -1,0 +1,92 @@
+#include "conceptplan/learner/torch/concept_trainer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "conceptplan/learner/torch/module_tensors.hpp"
+#include "learner/random_crops.hpp"
+
+namespace conceptplan {
+namespace {
+
+/// Blobs that differ in colour sample and size, as two concepts of two values.
+ConceptImages twoConcepts() {
+  ConceptImages images;
+  for (std::uint8_t color = 0; color < 2; ++color)
+    for (std::uint8_t size = 0; size < 2; ++size)
+      images.add(encoderInput(coloredBlob(color, 10 + 8 * size)), {0, 0, 0, 0, color, size});
+  return images;
+}
+
+ConceptTrainingOptions smallOptions() {
+  ConceptTrainingOptions options;
+  options.steps = 60;
+  options.groups = 2;
+  options.reconstructed_pairs = 2;
+  options.reconstruction_start = 0.5;
+  options.augmentation = {0, 0, 0, 0, 0, 0};
+  return options;
+}
+
+TEST(ConceptTrainer, Eq3FallsOnOneBatch) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.reconstruction_start = 0;
+  ConceptTrainer trainer(images, options);
+  const auto total = [&](const ConceptLosses& losses) {
+    return losses.disentangling + losses.pair + 10 * (losses.reconstruction + losses.direct);
+  };
+  const double before = total(trainer.step());
+  double after = 0;
+  while (trainer.stepsDone() < options.steps) after = total(trainer.step());
+  EXPECT_LT(after, 0.4 * before);
+}
+
+TEST(ConceptTrainer, TheDecoderJoinsWhenItShould) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.steps = 4;
+  ConceptTrainer trainer(images, options);
+  EXPECT_EQ(trainer.step().reconstruction, 0);
+  EXPECT_EQ(trainer.step().reconstruction, 0);
+  EXPECT_GT(trainer.step().reconstruction, 0);
+}
+
+TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.steps = 6;
+  ConceptTrainer whole(images, options);
+  for (int i = 0; i < 6; ++i) whole.step();
+
+  std::string checkpoint;
+  {
+    ConceptTrainer first(images, options);
+    for (int i = 0; i < 4; ++i) first.step();
+    checkpoint = first.checkpoint();
+  }
+  ConceptTrainer second(images, options);
+  second.restore(checkpoint);
+  EXPECT_EQ(second.stepsDone(), 4);
+  while (second.stepsDone() < 6) second.step();
+  const auto expected = tensorsOf(*whole.averaged(), ""), found = tensorsOf(*second.averaged(), "");
+  for (const auto& [name, tensor] : expected)
+    EXPECT_EQ(tensor.values, found.at(name).values) << name;
+}
+
+TEST(ConceptTrainer, RefusesACheckpointThatIsNone) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainer trainer(images, smallOptions());
+  EXPECT_THROW(trainer.restore("not a checkpoint"), c10::Error);
+}
+
+TEST(ConceptTrainer, TrainsThePapersFullFrameEncoderToo) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.encoder = EncoderKind::kFullFrame;
+  options.groups = 1;
+  ConceptTrainer trainer(images, options);
+  EXPECT_GT(trainer.step().disentangling, 0);
+}
+
+}  // namespace
+}  // namespace conceptplan

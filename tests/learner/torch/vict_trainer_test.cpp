@@ -1,0 +1,114 @@
+#include "conceptplan/learner/torch/vict_trainer.hpp"
+
+#include <gmock/gmock.h>
+
+#include "conceptplan/learner/torch/concept_network.hpp"
+#include "conceptplan/learner/torch/module_tensors.hpp"
+#include "conceptplan/learner/visual_transition.hpp"
+
+namespace conceptplan {
+namespace {
+
+ConceptLearner freshLearner() {
+  torch::manual_seed(3);
+  return {tensorsOf(*ConceptNetwork(), "concepts."), EncoderKind::kObjectCentred, "m"};
+}
+
+/// A grey frame with a dark square, which stands for the object.
+SequenceFrame frame(int left, float token) {
+  SequenceFrame result;
+  result.rgb.assign(3 * kFrameWidth * kFrameHeight, 160);
+  result.hole.assign(kFrameWidth * kFrameHeight, 0);
+  for (int y = 100; y < 130; ++y)
+    for (int x = left; x < left + 30; ++x) {
+      const auto pixel = static_cast<std::size_t>(y * kFrameWidth + x);
+      result.hole[pixel] = 1;
+      for (std::size_t c = 0; c < 3; ++c) result.rgb[3 * pixel + c] = 40;
+    }
+  result.x_px = left + 15;
+  result.y_px = 115;
+  result.tokens = Tokens::Zero();
+  result.tokens.col(0).setConstant(token);
+  result.tokens.col(1).setConstant(8);
+  return result;
+}
+
+std::vector<TaskSequence> sequences() {
+  return {{{frame(100, 1), frame(140, 5)}, {Action::kMoveRight}, {Tokens::Zero()}},
+          {{frame(140, 5), frame(100, 1)}, {Action::kMoveLeft}, {Tokens::Zero()}}};
+}
+
+VictTrainingOptions smallOptions() {
+  VictTrainingOptions options;
+  options.transition_steps = 40;
+  options.transition_batch = 8;
+  options.synthesis_steps = 25;
+  options.synthesis_batch = 2;
+  return options;
+}
+
+TEST(VictTrainer, Eq8TermsFallOnOneBatch) {
+  const ConceptLearner learner = freshLearner();
+  const auto data = sequences();
+  VictTrainer trainer(data, learner, smallOptions());
+  const double tokens_before = trainer.step().tokens;
+  VictLosses losses;
+  while (trainer.stepsDone() < 40) losses = trainer.step();
+  EXPECT_LT(losses.tokens, 0.2 * tokens_before);
+  const VictLosses first = trainer.step();
+  double before = first.prediction + first.reconstruction, after = 0;
+  while (trainer.stepsDone() < trainer.stepsInAll()) {
+    losses = trainer.step();
+    after = losses.prediction + losses.reconstruction;
+  }
+  EXPECT_LT(after, before);
+}
+
+TEST(VictTrainer, AResumedRunEndsAsAnUninterruptedOne) {
+  const ConceptLearner learner = freshLearner();
+  const auto data = sequences();
+  VictTrainingOptions options = smallOptions();
+  options.transition_steps = 3;
+  options.synthesis_steps = 3;
+  VictTrainer whole(data, learner, options);
+  while (whole.stepsDone() < 6) whole.step();
+  VictTrainer first(data, learner, options);
+  while (first.stepsDone() < 4) first.step();
+  VictTrainer second(data, learner, options);
+  second.restore(first.checkpoint());
+  while (second.stepsDone() < 6) second.step();
+  const auto found = second.tensors();
+  for (const auto& [name, tensor] : whole.tensors())
+    EXPECT_EQ(tensor.values, found.at(name).values) << name;
+}
+
+TEST(VictTrainer, RefusesSequencesWithoutActions) {
+  const ConceptLearner learner = freshLearner();
+  const std::vector<TaskSequence> still{{{frame(100, 1)}, {}, {}}};
+  EXPECT_THROW(VictTrainer(still, learner, smallOptions()), std::invalid_argument);
+}
+
+TEST(VisualTransition, Eq7KeepsTokenLengthAndSynthesizesOnlyNearTheObject) {
+  const ConceptLearner learner = freshLearner();
+  const auto data = sequences();
+  const VictTrainer trainer(data, learner, smallOptions());
+  const VisualTransition transition(trainer.tensors(), "m");
+  const Tokens after =
+      transition.apply(data[0].frames[0].tokens, Tokens::Zero(), Action::kMoveRight);
+  for (Eigen::Index k = 0; k < 6; ++k) EXPECT_NEAR(after.row(k).norm(), 8, 1e-2);
+
+  const RgbdImage image{
+      kFrameWidth, kFrameHeight, data[0].frames[0].rgb, {}, data[0].frames[0].hole};
+  DrawnObject object = learner.draw({&after, 1}).front();
+  object.location = {-0.2F, 0.0F, 0.0F};
+  const auto rgb = transition.synthesize(image, 1, object);
+  ASSERT_EQ(rgb.size(), image.rgb.size());
+  EXPECT_EQ(rgb[0], 160);
+  EXPECT_EQ(rgb[3 * (200 * kFrameWidth + 370)], 160);
+  EXPECT_NE(rgb, image.rgb);
+  EXPECT_THAT([&] { transition.synthesize(image, 7, object); },
+              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("no instance 7")));
+}
+
+}  // namespace
+}  // namespace conceptplan
