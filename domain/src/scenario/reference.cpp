@@ -7,6 +7,7 @@
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/nearest_name.hpp"
+#include "conceptplan/domain/simulation/judgement.hpp"
 #include "yaml_map.hpp"
 
 namespace conceptplan {
@@ -190,6 +191,11 @@ void emitObject(YAML::Emitter& out, const ObjectState& object) {
 }
 
 }  // namespace
+
+bool hasSolution(const Reference& reference) {
+  const Task& task = reference.task;
+  return !task.reference.empty() || judge(task, ActionSequence{}).succeeded();
+}
 
 Reference readReference(const std::filesystem::path& path) { return ReferenceReader(path).read(); }
 

@@ -38,13 +38,20 @@ class ScenarioReader {
     scenario_.file = file;
   }
 
-  Scenario read() {
+  Scenario read(const ScenarioCheck& check) {
     YamlMap root(document_, document_.root, "",
                  {"conceptplan", "name", "model", "initial", "goal", "target", "planner", "refine",
                   "render", "reference"});
     if (root.valid()) readRoot(root);
-    if (!document_.faults.empty()) throw InputError(std::move(document_.faults));
     scenario_.positions = std::move(document_.positions);
+    std::vector<Fault>& faults = document_.faults;
+    std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
+      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    });
+    if (check && root.valid()) {
+      for (Fault& fault : check(scenario_)) faults.push_back(std::move(fault));
+    }
+    if (!faults.empty()) throw InputError(std::move(faults));
     return std::move(scenario_);
   }
 
@@ -249,9 +256,9 @@ class ScenarioReader {
 
 }  // namespace
 
-Scenario readScenario(const std::filesystem::path& path) {
+Scenario readScenario(const std::filesystem::path& path, const ScenarioCheck& check) {
   const bool folder = std::filesystem::is_directory(path);
-  return ScenarioReader(folder ? path / kFileName : path).read();
+  return ScenarioReader(folder ? path / kFileName : path).read(check);
 }
 
 std::vector<std::filesystem::path> findScenarios(const std::filesystem::path& path) {

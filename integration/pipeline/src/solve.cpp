@@ -126,8 +126,11 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
                                    solution.result.plans.front());
   solution.times.render_ms = stage.lap();
 
-  if (scenario.reference)
-    solution.evaluation = evaluationOf(readReference(*scenario.reference).task, solution.result);
+  if (scenario.reference) {
+    const Reference reference = readReference(*scenario.reference);
+    if (hasSolution(reference))
+      solution.evaluation = evaluationOf(reference.task, solution.result);
+  }
   solution.times.total_ms = total.lap();
   return solution;
 }

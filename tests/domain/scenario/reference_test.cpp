@@ -25,6 +25,15 @@ TEST(Reference, RoundTrip) {
   EXPECT_EQ(read.domain, written.domain);
 }
 
+TEST(Reference, AnEmptyPlanSolvesOnlyWhatIsSolved) {
+  Reference reference = sampleReference();
+  EXPECT_TRUE(hasSolution(reference));
+  reference.task.reference.clear();
+  EXPECT_FALSE(hasSolution(reference));
+  reference.task.goal = reference.task.initial.objects[reference.task.initial.target];
+  EXPECT_TRUE(hasSolution(reference));
+}
+
 TEST(Reference, AllFaultsComeTogetherWithTheirPlaces) {
   const TemporaryFolder folder;
   const auto path =

@@ -132,6 +132,18 @@ TEST_F(ScenarioFile, MalformedYamlHasItsLine) {
   EXPECT_THAT(faultsOfText(std::string(200000, '[')), HasSubstr("malformed YAML"));
 }
 
+TEST_F(ScenarioFile, FaultsOfTheCallersCheckComeWithTheOthers) {
+  const auto path =
+      folder_.write("scenario.yaml", head_ + pictures_ + "planner: {name: odd}\nzzz: 1\n");
+  const std::string faults = faultsOf([&] {
+    readScenario(path, [](const Scenario& scenario) {
+      return std::vector{scenario.fault("planner.name", scenario.planner.name + " is unknown")};
+    });
+  });
+  EXPECT_THAT(faults, HasSubstr("scenario.yaml:6:1: zzz: unknown key"));
+  EXPECT_THAT(faults, HasSubstr("scenario.yaml:5:11: planner.name: odd is unknown"));
+}
+
 TEST_F(ScenarioFile, MissingScenarioIsNamed) {
   EXPECT_THAT(faultsOf([&] { readScenario(folder_ / "absent"); }), HasSubstr("file not found"));
 }

@@ -14,6 +14,9 @@ struct Reference {
   RenderDomain domain = RenderDomain::kStandard;
 };
 
+/// Whether there is a plan that solves the task.
+bool hasSolution(const Reference& reference);
+
 /// Reads a reference.yaml; docs/scenario.md describes it.
 /// @throws InputError with ALL faults, each with line, column and key.
 Reference readReference(const std::filesystem::path& path);

@@ -19,7 +19,7 @@ struct SolveOptions {
   SearchLimits limits;
 };
 
-/// How the plans fare in the simulator, where a scenario has a reference.
+/// How the plans fare in the simulator, where a scenario has a reference with a solution.
 struct Evaluation {
   Judgement best;     ///< of the first plan
   bool top5 = false;  ///< whether one of the first five succeeds
