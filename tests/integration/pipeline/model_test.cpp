@@ -1,0 +1,87 @@
+#include "conceptplan/pipeline/model.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/domain/rendering/renderer.hpp"
+#include "integration/pipeline/temporary_folder.hpp"
+
+namespace conceptplan {
+namespace {
+
+const Model& shippedModel() {
+  static const Model model(CONCEPTPLAN_SHIPPED_MODEL);
+  return model;
+}
+
+World cupAndPot() {
+  World world;
+  world.objects = {{ObjectType::kCup, {0, 1}, 1, 3, 3}, {ObjectType::kPot, {2, 3}, 2, 0, 2}};
+  return world;
+}
+
+TEST(Model, ReadsTheSymbolsOfARenderedPicture) {
+  Renderer renderer;
+  const Percept percept = shippedModel().perceive(renderer.render(cupAndPot(), {11, {}}));
+  ASSERT_EQ(percept.instances, (std::vector<std::uint8_t>{1, 2}));
+  const SymbolGrounding& grounding = shippedModel().symbolic().grounding;
+  const Symbols cup = mostProbable(percept.beliefs[0]), pot = mostProbable(percept.beliefs[1]);
+  EXPECT_EQ(grounding.cell(cup), (Cell{0, 1}));
+  EXPECT_EQ(grounding.cell(pot), (Cell{2, 3}));
+  EXPECT_EQ(grounding.name(Concept::kColor, cup[index(Concept::kColor)]), "cyan");
+  EXPECT_EQ(grounding.name(Concept::kColor, pot[index(Concept::kColor)]), "red");
+}
+
+TEST(Model, DrawsEveryStepOfAPlan) {
+  Renderer renderer;
+  const RgbdImage image = renderer.render(cupAndPot(), {11, {}});
+  const Percept percept = shippedModel().perceive(image);
+  Plan plan;
+  plan.actions = {Action::kMoveRight};
+  Symbols after = mostProbable(percept.beliefs[0]);
+  const auto& columns = shippedModel().symbolic().grounding.columns;
+  after[index(Concept::kPositionX)] = SymbolId{
+      static_cast<std::int32_t>(std::find(columns.begin(), columns.end(), 1) - columns.begin())};
+  plan.predicted = {after};
+  const auto frames = shippedModel().render(image, percept, 1, plan);
+  ASSERT_EQ(frames.size(), 1U);
+  World moved = cupAndPot();
+  moved.objects[0].cell.x = 1;
+  const RgbdImage truth = renderer.render(moved, {11, {}});
+  const auto error = [&](const std::vector<std::uint8_t>& rgb) {
+    double sum = 0;
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+      const double d = static_cast<double>(rgb[i]) - truth.rgb[i];
+      sum += d * d;
+    }
+    return sum;
+  };
+  // Much nearer to what the simulator shows than the picture before the step.
+  EXPECT_LT(error(frames[0].rgb), 0.5 * error(image.rgb));
+  EXPECT_THROW(shippedModel().render(image, percept, 9, plan), std::invalid_argument);
+}
+
+TEST(Model, RefusesAFolderWithAFlippedByte) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(CONCEPTPLAN_SHIPPED_MODEL, folder.path(),
+                        std::filesystem::copy_options::recursive);
+  std::string bytes = readFile(folder.path() / kVictFile);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  writeFileAtomically(folder.path() / kVictFile, bytes);
+  EXPECT_THAT([&] { Model{folder.path()}; },
+              testing::ThrowsMessage<InputError>(testing::AllOf(
+                  testing::HasSubstr("vict.safetensors"), testing::HasSubstr("damaged"))));
+}
+
+TEST(FindModel, NamesThePlacesItLookedIn) {
+  EXPECT_EQ(findModel(CONCEPTPLAN_SHIPPED_MODEL), CONCEPTPLAN_SHIPPED_MODEL);
+  EXPECT_TRUE(std::filesystem::exists(findModel("default") / "manifest.json"));
+  EXPECT_THAT([] { findModel("nowhere"); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("nowhere")));
+}
+
+}  // namespace
+}  // namespace conceptplan

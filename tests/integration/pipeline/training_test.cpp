@@ -1,0 +1,70 @@
+#include "conceptplan/pipeline/training.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/pipeline/model.hpp"
+#include "integration/pipeline/temporary_folder.hpp"
+
+namespace conceptplan {
+namespace {
+
+const std::vector<TrainingStage> kAll{TrainingStage::kLearnConcepts, TrainingStage::kMakeSymbols,
+                                      TrainingStage::kCountTransitions, TrainingStage::kTrainVict};
+
+TrainingOptions smokeOptions(const std::filesystem::path& folder, const std::string& model) {
+  TrainingOptions options;
+  options.data = folder / "data";
+  options.model = folder / model;
+  options.profile = "smoke";
+  options.jobs = 1;
+  return options;
+}
+
+TEST(Train, InterruptedAndResumedEndsWithTheSameModel) {
+  const TemporaryFolder folder;
+  TrainingOptions whole = smokeOptions(folder.path(), "whole");
+  ASSERT_TRUE(train(kAll, whole, {}));
+  EXPECT_GT(Model(whole.model).numParameters(), 100'000U);
+
+  // Cancelled at each stage's first report, then resumed, until nothing is left to do.
+  TrainingOptions parts = smokeOptions(folder.path(), "parts");
+  parts.resume = true;
+  std::vector<std::string> seen;
+  bool done = false;
+  for (int attempt = 0; attempt < 20 && !done; ++attempt) {
+    std::atomic<bool> cancel{false};
+    TrainingControl control;
+    control.cancel = &cancel;
+    control.progress = [&](const TrainingProgress& progress) {
+      if (progress.stage.starts_with("reading") ||
+          std::find(seen.begin(), seen.end(), progress.stage) != seen.end())
+        return;
+      seen.push_back(progress.stage);
+      cancel = true;
+    };
+    done = train(kAll, parts, control);
+  }
+  EXPECT_TRUE(done);
+  EXPECT_THAT(seen, testing::IsSupersetOf({"concepts", "transitions", "vict"}));
+  for (const char* file : {kConceptsFile, kSymbolsFile, kTransitionsFile, kVictFile})
+    EXPECT_EQ(readFile(whole.model / file), readFile(parts.model / file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(parts.model / "concepts.checkpoint"));
+}
+
+TEST(Train, RefusesUnknownProfilesAndStagesWithoutTheirPredecessors) {
+  const TemporaryFolder folder;
+  TrainingOptions options = smokeOptions(folder.path(), "model");
+  EXPECT_THAT([&] { train({TrainingStage::kCountTransitions}, options, {}); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("stage transitions needs the stages before it")));
+  options.profile = "cpus";
+  EXPECT_THAT([&] { train(kAll, options, {}); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("unknown profile \"cpus\"")));
+}
+
+}  // namespace
+}  // namespace conceptplan
