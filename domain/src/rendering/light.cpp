@@ -58,6 +58,7 @@ Vector3f Light::shade(const Vector3f& p_W, const Vector3f& normal, const Vector3
   const Vector3f ambient = bounce_.cwiseProduct(sky_ + lamp_) * (1 - up) + sky_ * up +
                            window_ * std::max(normal.dot(toward_window_), 0.0F);
   const Vector3f diffuse = albedo.cwiseProduct(lamp * facing + ambient * open);
+  if (reflectance == 0) return diffuse;
 
   const float cosine = std::clamp(normal.dot(to_eye), 0.0F, 1.0F);
   const float grazing = 1 - cosine;

@@ -29,6 +29,7 @@ class Light {
   const Eigen::Vector3f& center() const { return center_; }
 
   /// The colour of a surface towards the eye.
+  /// @param reflectance at normal incidence; 0 for a surface without any gloss
   /// @param lit share of the lamp that is seen, in [0, 1]
   /// @param open share of the sky that is seen, in [0, 1]
   Eigen::Vector3f shade(const Eigen::Vector3f& p_W, const Eigen::Vector3f& normal,

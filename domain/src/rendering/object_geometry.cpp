@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Vector3f;
 
+/// Half of the directions that openness is sampled by.
 constexpr int kDirections = 32;
 
 /// Directions over the sphere, even (a Fibonacci lattice).
@@ -35,17 +36,21 @@ const std::array<Vector3f, 2 * kDirections>& sphereDirections() {
 /// `reach` blocks the way; below z = 0 is table, which counts as half open.
 float openShare(const TriangleScene& scene, const Vector3f& point, const Vector3f& normal,
                 float reach) {
+  std::array<Vector3f, 2 * kDirections> facing;
+  const auto& all = sphereDirections();
+  const std::size_t count =
+      static_cast<std::size_t>(std::copy_if(all.begin(), all.end(), facing.begin(),
+                                            [&](const Vector3f& d) { return d.dot(normal) > 0; }) -
+                               facing.begin());
   float open = 0;
   float total = 0;
-  const auto& directions = sphereDirections();
-  for (std::size_t first = 0; first < directions.size(); first += kPacket) {
-    alignas(32) int valid[kPacket];
+  for (std::size_t first = 0; first < count; first += kPacket) {
+    const std::size_t lanes = std::min<std::size_t>(kPacket, count - first);
+    alignas(32) int valid[kPacket]{};
     RTCRay8 rays{};
-    float weight[kPacket];
-    for (std::size_t lane = 0; lane < kPacket; ++lane) {
-      const Vector3f& d = directions[first + lane];
-      weight[lane] = std::max(d.dot(normal), 0.0F);
-      valid[lane] = weight[lane] > 0 ? -1 : 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const Vector3f& d = facing[first + lane];
+      valid[lane] = -1;
       rays.org_x[lane] = point.x() + 1e-3F * normal.x();
       rays.org_y[lane] = point.y() + 1e-3F * normal.y();
       rays.org_z[lane] = point.z() + 1e-3F * normal.z();
@@ -57,13 +62,13 @@ float openShare(const TriangleScene& scene, const Vector3f& point, const Vector3
       rays.mask[lane] = ~0U;
     }
     scene.occluded(valid, rays);
-    for (std::size_t lane = 0; lane < kPacket; ++lane) {
-      if (valid[lane] == 0) continue;
-      total += weight[lane];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const Vector3f& d = facing[first + lane];
+      const float weight = d.dot(normal);
+      total += weight;
       if (rays.tfar[lane] < 0) continue;
-      const float dz = directions[first + lane].z();
-      const bool meets_table = dz < 0 && point.z() < -dz * reach;
-      open += (meets_table ? 0.5F : 1.0F) * weight[lane];
+      const bool meets_table = d.z() < 0 && point.z() < -d.z() * reach;
+      open += (meets_table ? 0.5F : 1.0F) * weight;
     }
   }
   return total > 0 ? open / total : 1.0F;
