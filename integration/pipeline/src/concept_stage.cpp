@@ -17,10 +17,15 @@ bool trainConcepts(const Run& run, ModelManifest&) {
     if (i % 500 == 0) run.report({"reading concepts-train", i, data->size(), ""});
   }
   ConceptTrainer trainer(images, run.profile.concepts);
+  if (!run.options.start_from.empty()) {
+    const auto path = run.options.start_from / kConceptsFile;
+    trainer.startFrom(decodeTensors(readFile(path), path), path);
+  }
   const auto describe = [](const ConceptLosses& losses) {
     return nlohmann::ordered_json{{"disentangling", losses.disentangling},
                                   {"pair", losses.pair},
                                   {"use", losses.use},
+                                  {"confidence", losses.confidence},
                                   {"reconstruction", losses.reconstruction},
                                   {"direct", losses.direct},
                                   {"location", losses.location}}

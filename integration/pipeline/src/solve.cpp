@@ -128,8 +128,7 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
 
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
-    if (hasSolution(reference))
-      solution.evaluation = evaluationOf(reference.task, solution.result);
+    if (hasSolution(reference)) solution.evaluation = evaluationOf(reference.task, solution.result);
   }
   solution.times.total_ms = total.lap();
   return solution;

@@ -29,6 +29,17 @@ Profile fullFrameProfile() {
   return profile;
 }
 
+Profile fineTuneProfile() {
+  Profile profile = cpuProfile();
+  profile.name = "fine-tune";
+  profile.concepts.steps = 400;
+  profile.concepts.reconstruction_start = 0;
+  profile.concepts.learning_rate = 1e-3;
+  profile.concepts.averaging = 0.99;
+  profile.vict.synthesis_steps = 2000;
+  return profile;
+}
+
 Profile smokeProfile() {
   Profile profile;
   profile.name = "smoke";
@@ -64,9 +75,9 @@ bool complete(const std::filesystem::path& folder) {
 }  // namespace
 
 Profile profileNamed(const std::string& name) {
-  for (Profile profile : {cpuProfile(), fullFrameProfile(), smokeProfile()})
+  for (Profile profile : {cpuProfile(), fullFrameProfile(), fineTuneProfile(), smokeProfile()})
     if (profile.name == name) return profile;
-  std::vector<std::string_view> known{"cpu", "full-frame", "smoke"};
+  std::vector<std::string_view> known{"cpu", "full-frame", "fine-tune", "smoke"};
   throw InputError({{"--profile", std::nullopt, std::nullopt, "",
                      "unknown profile \"" + name + "\"" + didYouMean(name, known)}});
 }
@@ -116,7 +127,7 @@ std::optional<TaskDataset> taskData(const Run& run) {
 
 }  // namespace training
 
-std::vector<std::string> trainingProfiles() { return {"cpu", "full-frame", "smoke"}; }
+std::vector<std::string> trainingProfiles() { return {"cpu", "full-frame", "fine-tune", "smoke"}; }
 
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control) {

@@ -92,7 +92,8 @@ bool trainVict(const Run& run, ModelManifest& manifest) {
                                   {"reconstruction", losses.reconstruction}}
         .dump();
   };
-  if (!runSteps(run, TrainingStage::kTrainVict, trainer, trainer.stepsInAll(), describe)) return false;
+  if (!runSteps(run, TrainingStage::kTrainVict, trainer, trainer.stepsInAll(), describe))
+    return false;
   writeFileAtomically(run.options.model / kVictFile,
                       encodeTensors(trainer.tensors(), TensorPrecision::kFloat16));
   return true;

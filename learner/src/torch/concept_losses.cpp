@@ -41,4 +41,8 @@ torch::Tensor prototypeUseLoss(const torch::Tensor& values) {
   return std::log(static_cast<double>(values.size(1))) + (use * use.log()).sum();
 }
 
+torch::Tensor prototypeEntropy(const torch::Tensor& values) {
+  return -(values * values.clamp_min(kLeastProbability).log()).sum(1).mean();
+}
+
 }  // namespace conceptplan

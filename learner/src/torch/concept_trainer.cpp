@@ -6,6 +6,7 @@
 
 #include "conceptplan/learner/torch/concept_losses.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
+#include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/torch/training_state.hpp"
 
 namespace conceptplan {
@@ -56,6 +57,11 @@ ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainin
   copyParameters(*average_, *network_);
 }
 
+void ConceptTrainer::startFrom(const NamedTensors& tensors, const std::filesystem::path& path) {
+  setTensors(*network_, tensors, "concepts.", path);
+  copyParameters(*average_, *network_);
+}
+
 ConceptLosses ConceptTrainer::step() {
   auto generator = stepGenerator(options_.seed, steps_done_);
   const AnchorBatch batch = drawBatch(images_, sampler_, options_, generator);
@@ -73,18 +79,21 @@ ConceptLosses ConceptTrainer::step() {
       conceptDisentanglingLoss(anchors, partners, pairs.select(1, 1).contiguous());
   auto pair = torch::zeros({});
   auto use = torch::zeros({});
+  auto confidence = torch::zeros({});
   for (const Concept which : kConcepts) {
     const auto values = torch::softmax(network_->prototypeLogits(tokens, which), -1);
     const auto k = static_cast<std::int64_t>(index(which));
     pair = pair + pairLikelihoodLoss(values.view({options_.groups, kGroupImages, -1}),
                                      batch.differs.select(1, k), 1 + k);
     use = use + prototypeUseLoss(values);
+    confidence = confidence + prototypeEntropy(values);
   }
   auto total = options_.disentangling_weight * disentangling + options_.pair_weight * pair +
-               options_.use_weight * use;
+               options_.use_weight * use + options_.confidence_weight * confidence;
   losses.disentangling = disentangling.item<double>();
   losses.pair = pair.item<double>();
   losses.use = use.item<double>();
+  losses.confidence = confidence.item<double>();
 
   const auto reconstruction_from = static_cast<std::int64_t>(options_.reconstruction_start *
                                                              static_cast<double>(options_.steps));

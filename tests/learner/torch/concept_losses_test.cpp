@@ -57,5 +57,10 @@ TEST(PrototypeUseLoss, IsZeroForEvenUseAndLogNForOnePrototype) {
   EXPECT_NEAR(prototypeUseLoss(one).item<double>(), std::log(4.0), 1e-3);
 }
 
+TEST(PrototypeEntropy, IsZeroForOneHotAndLogNForEvenValues) {
+  EXPECT_NEAR(prototypeEntropy(torch::full({5, 4}, 0.25)).item<double>(), std::log(4.0), 1e-5);
+  EXPECT_NEAR(prototypeEntropy(torch::eye(4)).item<double>(), 0, 1e-5);
+}
+
 }  // namespace
 }  // namespace conceptplan

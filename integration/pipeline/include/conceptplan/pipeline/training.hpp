@@ -12,12 +12,14 @@
 namespace conceptplan {
 
 /// The names of the training profiles: "cpu" is what two cores learn within an hour; "full-frame"
-/// the same with the paper's encoder; "smoke" trains nothing useful in seconds, for tests.
+/// the same with the paper's encoder; "fine-tune" a short run from another model; "smoke" trains
+/// nothing useful in seconds, for tests.
 std::vector<std::string> trainingProfiles();
 
 struct TrainingOptions {
-  std::filesystem::path data;   ///< datasets; those that are missing are generated here
-  std::filesystem::path model;  ///< folder of the model
+  std::filesystem::path data;        ///< datasets; those that are missing are generated here
+  std::filesystem::path model;       ///< folder of the model
+  std::filesystem::path start_from;  ///< model whose concept network is trained on; empty: none
   std::string profile = "cpu";
   std::uint64_t seed = 1;
   int jobs = 2;         ///< threads for generation and for Torch

@@ -31,4 +31,9 @@ torch::Tensor pairLikelihoodLoss(const torch::Tensor& values, const torch::Tenso
 /// values [B, n] -> scalar.
 torch::Tensor prototypeUseLoss(const torch::Tensor& values);
 
+/// Mean entropy of single images over prototypes. Low while the mean use stays even, it is the
+/// mutual information of image and prototype (RIM, Krause et al., NIPS 2010); without it two values
+/// can rest shared half and half between two prototypes. values [B, n] -> scalar.
+torch::Tensor prototypeEntropy(const torch::Tensor& values);
+
 }  // namespace conceptplan

@@ -3,8 +3,10 @@
 #include <torch/torch.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
+#include "conceptplan/learner/tensor_file.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/training/anchor_sampler.hpp"
 #include "conceptplan/learner/training/augmentation.hpp"
@@ -24,6 +26,7 @@ struct ConceptTrainingOptions {
   double disentangling_weight = 1;    ///< of Eq. (2)
   double pair_weight = 1;             ///< of the pair likelihood
   double use_weight = 0.5;            ///< of the prototypes' even use
+  double confidence_weight = 0.3;     ///< of the entropy of single images over prototypes
   double reconstruction_weight = 10;  ///< of Eq. (1) and of the direct branch
   double averaging = 0.998;           ///< decay of the weights' moving average
   AugmentationOptions augmentation;
@@ -35,6 +38,7 @@ struct ConceptLosses {
   double disentangling = 0;  ///< Eq. (2)
   double pair = 0;
   double use = 0;
+  double confidence = 0;
   double reconstruction = 0;  ///< Eq. (1)
   double direct = 0;          ///< direct branch of Eq. (3)
   double location = 0;
@@ -47,6 +51,10 @@ class ConceptTrainer {
  public:
   /// Keeps a reference to `images`.
   ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options);
+
+  /// Begins from those weights in place of random ones.
+  /// @param path stands in the faults. @throws InputError if tensors are missing or misshaped.
+  void startFrom(const NamedTensors& tensors, const std::filesystem::path& path);
 
   ConceptLosses step();
   std::int64_t stepsDone() const { return steps_done_; }
