@@ -26,10 +26,11 @@ void checkRange(const char* option, double value, double least, double most) {
   }
 }
 
-SymbolBelief hardened(const SymbolBelief& belief) {
-  ConceptCardinality cardinality{};
-  for (std::size_t k = 0; k < kNumConcepts; ++k) cardinality[k] = belief[k].size();
-  return certain(mostProbable(belief), cardinality);
+/// The belief that is certain of one state.
+StateBelief only(const SymbolGraph& graph, StateId state) {
+  StateBelief belief(graph.numStates(), 0);
+  belief[index(state)] = 1;
+  return belief;
 }
 
 StateBelief withoutImprobable(StateBelief belief, double least) {
@@ -63,6 +64,18 @@ struct BeliefTask {
   double threshold;
 };
 
+/// The most probable state before the first action and after each one.
+std::vector<StateId> likelyStates(const BeliefTask& task, const ActionSequence& actions) {
+  StateBelief belief = task.start;
+  std::vector<StateId> states{mostProbableState(belief)};
+  for (const Action action : actions) {
+    belief = propagateLegal(task.graph, belief, action, task.threshold);
+    keepValid(task.graph, belief);
+    states.push_back(mostProbableState(belief));
+  }
+  return states;
+}
+
 Plan judged(const BeliefTask& task, const ActionSequence& actions, Ranking ranking,
             double discount) {
   const PlanProbability probability =
@@ -72,11 +85,9 @@ Plan judged(const BeliefTask& task, const ActionSequence& actions, Ranking ranki
   plan.probability = ranking == Ranking::kJoint ? probability.joint : probability.conditional;
   plan.cost =
       -std::log(plan.probability) - static_cast<double>(actions.size()) * std::log(discount);
-  StateBelief belief = task.start;
-  for (const Action action : actions) {
-    belief = propagateLegal(task.graph, belief, action, task.threshold);
-    keepValid(task.graph, belief);
-    plan.predicted.push_back(task.graph.symbols(mostProbableState(belief)));
+  const std::vector<StateId> states = likelyStates(task, actions);
+  for (std::size_t step = 1; step < states.size(); ++step) {
+    plan.predicted.push_back(task.graph.symbols(states[step]));
   }
   return plan;
 }
@@ -87,10 +98,17 @@ bool ranksBefore(const Plan& a, const Plan& b) {
   return a.actions < b.actions;
 }
 
-std::vector<StateId> statesAlong(const BeliefTask& task, const Plan& plan) {
-  std::vector<StateId> states{mostProbableState(task.start)};
-  for (const Symbols& symbols : plan.predicted) states.push_back(task.graph.state(symbols));
-  return states;
+/// Whether the most probable symbols of the goal can be reached from those of the start under some
+/// reading of the other objects.
+bool isGoalInReach(const SymbolGraph& graph, double threshold, std::size_t horizon) {
+  for (std::size_t reading = 0; reading < graph.numReadings(); ++reading) {
+    const StateId start = graph.inReading(graph.mostProbableStart(), reading);
+    const StateId goal = graph.inReading(graph.mostProbableGoal(), reading);
+    const std::vector<StateId> reachable =
+        reachableStates(graph, start, threshold, horizon, graph.numStates());
+    if (std::find(reachable.begin(), reachable.end(), goal) != reachable.end()) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -104,16 +122,16 @@ BeliefPlanner::BeliefPlanner(const BeliefPlannerOptions& options) : options_(opt
 }
 
 PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const SymbolBelief initial =
-      options_.hard_symbols ? hardened(graph.initialBelief()) : graph.initialBelief();
-  const SymbolBelief wanted =
-      options_.hard_symbols ? hardened(graph.problem().goal) : graph.problem().goal;
-  const BeliefTask task{graph, startBelief(graph, initial), graph.stateBelief(wanted),
-                        options_.legality_threshold};
+  const bool hard = options_.hard_symbols;
+  const BeliefTask task{
+      graph,
+      hard ? only(graph, graph.mostProbableStart()) : startBelief(graph, graph.initialBelief()),
+      hard ? only(graph, graph.mostProbableGoal()) : graph.stateBelief(graph.problem().goal),
+      options_.legality_threshold};
   const StateBelief likely_start = withoutImprobable(task.start, options_.min_hypothesis);
   const double discount = 1 - options_.step_discount;
   const std::string mismatch = frozenMismatch(graph);
-  const double frozen = options_.hard_symbols && !mismatch.empty() ? 0 : graph.frozenAgreement();
+  const double frozen = hard && !mismatch.empty() ? 0 : graph.frozenAgreement();
 
   PlanResult result;
   SearchGuard guard(query.limits);
@@ -146,12 +164,8 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   std::sort(result.plans.begin(), result.plans.end(), ranksBefore);
   if (result.plans.size() > query.top) result.plans.resize(query.top);
 
-  const StateId start = mostProbableState(task.start);
-  const std::vector<StateId> reachable = reachableStates(graph, start, options_.legality_threshold,
-                                                         query.limits.horizon, graph.numStates());
   const bool goal_in_reach =
-      mismatch.empty() &&
-      std::find(reachable.begin(), reachable.end(), graph.mostProbableGoal()) != reachable.end();
+      mismatch.empty() && isGoalInReach(graph, options_.legality_threshold, query.limits.horizon);
   const double best = result.plans.empty() ? 0 : result.plans.front().probability;
   const std::string obstacle = mismatch.empty()
                                    ? "no legal and valid steps lead to the goal within " +
@@ -164,14 +178,17 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
       result.reason = obstacle + "; planned for a less probable reading of the pictures";
     }
     result.rejections =
-        traceRejections(graph, statesAlong(task, result.plans.front()), task.threshold);
+        traceRejections(graph, likelyStates(task, result.plans.front().actions), task.threshold);
     return result;
   }
   result.plans.clear();
   result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
   result.reason = guard.stopped() ? guard.reason() : obstacle;
-  const std::size_t traced = std::min(kTracedStates, reachable.size());
-  result.rejections = traceRejections(graph, std::span(reachable).first(traced), task.threshold);
+  result.rejections =
+      traceRejections(graph,
+                      reachableStates(graph, graph.mostProbableStart(), task.threshold,
+                                      query.limits.horizon, kTracedStates),
+                      task.threshold);
   return result;
 }
 

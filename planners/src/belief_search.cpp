@@ -200,10 +200,9 @@ class BeliefSearch {
 
   void accept(const Entry& entry, std::vector<ScoredSequence>& found) {
     const SparseBelief& belief = beliefs_[nodes_[entry.node].belief];
-    const StateId outcome =
-        std::max_element(belief.begin(), belief.end(), [](const Mass& a, const Mass& b) {
-          return a.mass < b.mass;
-        })->state;
+    const auto likeliest = std::max_element(
+        belief.begin(), belief.end(), [](const Mass& a, const Mass& b) { return a.mass < b.mass; });
+    const StateId outcome = graph_.inReading(likeliest->state, 0);
     if (options_.distinct_outcomes && !outcomes_.insert(index(outcome)).second) return;
     ScoredSequence sequence{{}, entry.score, outcome};
     for (std::size_t i = entry.node; nodes_[i].parent != kRoot; i = nodes_[i].parent) {

@@ -13,7 +13,7 @@ namespace conceptplan {
 struct ScoredSequence {
   ActionSequence actions;
   double score = 0;
-  StateId outcome{};  ///< most probable final state
+  StateId outcome{};  ///< most probable final state, in reading 0
 };
 
 struct BeliefSearchOptions {

@@ -52,7 +52,10 @@ double agreement(const StateBelief& belief, const StateBelief& goal) {
 }
 
 StateBelief startBelief(const SymbolGraph& graph, const SymbolBelief& belief) {
-  const StateBelief all = graph.stateBelief(belief);
+  StateBelief all = graph.stateBelief(belief);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] *= graph.readingShare(graph.readingOf(static_cast<StateId>(i)));
+  }
   StateBelief valid = all;
   keepValid(graph, valid);
   return normalize(valid) > 0 ? valid : all;

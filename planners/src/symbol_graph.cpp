@@ -8,6 +8,7 @@
 #include <string>
 
 #include "conceptplan/planners/belief_update.hpp"
+#include "scene_readings.hpp"
 
 namespace conceptplan {
 namespace {
@@ -46,18 +47,10 @@ void checkProblem(const SymbolicProblem& problem, const ConceptCardinality& card
   checkBelief(problem.goal, cardinality, "goal");
 }
 
-std::vector<Symbols> othersOf(const SymbolicScene& scene) {
-  std::vector<Symbols> others;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (i != scene.target) others.push_back(mostProbable(scene.objects[i]));
-  }
-  return others;
-}
-
-/// Which concepts some action changes among these objects, in any state of the concepts that the
-/// model can change at all.
-std::array<bool, kNumConcepts> changeableHere(const SymbolicModel& model, Surroundings surroundings,
-                                              double tolerance) {
+/// Marks the concepts that some action changes among these objects, in any state of the concepts
+/// that the model can change at all.
+void markChangeable(const SymbolicModel& model, Surroundings surroundings, double tolerance,
+                    std::array<bool, kNumConcepts>& changeable) {
   std::vector<Concept> candidates;
   std::size_t combinations = 1;
   for (const Concept which : kConcepts) {
@@ -65,7 +58,6 @@ std::array<bool, kNumConcepts> changeableHere(const SymbolicModel& model, Surrou
     candidates.push_back(which);
     combinations *= model.cardinality()[index(which)];
   }
-  std::array<bool, kNumConcepts> changeable{};
   for (std::size_t i = 0; i < combinations; ++i) {
     std::size_t rest = i;
     for (const Concept which : candidates) {
@@ -84,7 +76,6 @@ std::array<bool, kNumConcepts> changeableHere(const SymbolicModel& model, Surrou
       }
     }
   }
-  return changeable;
 }
 
 /// The next states of one action: the product of the effects on the single concepts.
@@ -156,15 +147,19 @@ std::vector<double> SymbolGraph::stateBelief(const SymbolBelief& belief) const {
 SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
                     const StateValidity& validity, const CompileOptions& options) {
   checkProblem(problem, model.cardinality());
+  if (options.max_readings == 0) throw std::invalid_argument("max_readings is 0, expected >= 1");
   SymbolGraph graph;
   graph.problem_ = problem;
   graph.cardinality_ = model.cardinality();
   graph.frozen_ = mostProbable(graph.initialBelief());
-  const std::vector<Symbols> others = othersOf(problem.initial);
-  const Surroundings seen{model.grounding, graph.frozen_, others};
+  const std::vector<SceneReading> readings = probableReadings(model, problem.initial, options);
 
-  const std::array<bool, kNumConcepts> changeable =
-      changeableHere(model, seen, options.frozen_tolerance);
+  std::array<bool, kNumConcepts> changeable{};
+  for (const SceneReading& reading : readings) {
+    graph.reading_shares_.push_back(reading.share);
+    markChangeable(model, {model.grounding, graph.frozen_, reading.others},
+                   options.frozen_tolerance, changeable);
+  }
   std::size_t states = 1;
   for (const Concept which : kConcepts) {
     const std::size_t k = index(which);
@@ -181,32 +176,36 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
   }
 
   const std::array<bool, kNumConcepts> relevant = validity.dependsOn();
-  std::map<Symbols, Verdict> known;
-  for (std::size_t i = 0; i < states; ++i) {
-    Symbols key = graph.symbols(static_cast<StateId>(i));
-    for (std::size_t k = 0; k < kNumConcepts; ++k) {
-      if (!relevant[k]) key[k] = graph.frozen_[k];
-    }
-    const auto [entry, is_new] = known.try_emplace(key);
-    if (is_new) {
-      entry->second = validity.check(problem.initial.workbench, model.grounding, key, others);
-      ++graph.validity_checks_;
-    }
-    graph.verdicts_.push_back(entry->second);
-  }
+  graph.legality_.reserve(readings.size() * states * kNumActions);
+  graph.first_transition_.reserve(readings.size() * states * kNumActions + 1);
+  for (std::size_t reading = 0; reading < readings.size(); ++reading) {
+    const std::vector<Symbols>& others = readings[reading].others;
+    std::map<Symbols, Verdict> known;
+    for (std::size_t i = 0; i < states; ++i) {
+      const Symbols symbols = graph.symbols(static_cast<StateId>(i));
+      Symbols key = symbols;
+      for (std::size_t k = 0; k < kNumConcepts; ++k) {
+        if (!relevant[k]) key[k] = graph.frozen_[k];
+      }
+      const auto [entry, is_new] = known.try_emplace(key);
+      if (is_new) {
+        entry->second = validity.check(problem.initial.workbench, model.grounding, key, others);
+        ++graph.validity_checks_;
+      }
+      graph.verdicts_.push_back(entry->second);
 
-  graph.legality_.reserve(states * kNumActions);
-  graph.first_transition_.reserve(states * kNumActions + 1);
-  for (std::size_t i = 0; i < states; ++i) {
-    const Surroundings surroundings{model.grounding, graph.symbols(static_cast<StateId>(i)),
-                                    others};
-    for (const Action action : kActions) {
-      const bool defined = model.transitions.isDefined(action, surroundings);
-      graph.legality_.push_back(defined ? model.legality.probability(action, surroundings) : 0);
-      graph.first_transition_.push_back(graph.transitions_.size());
-      const std::vector<Transition> next =
-          jointTransitions(model, action, surroundings, graph.stride_, options.min_share);
-      graph.transitions_.insert(graph.transitions_.end(), next.begin(), next.end());
+      const Surroundings surroundings{model.grounding, symbols, others};
+      for (const Action action : kActions) {
+        const bool defined = model.transitions.isDefined(action, surroundings);
+        graph.legality_.push_back(defined ? model.legality.probability(action, surroundings) : 0);
+        graph.first_transition_.push_back(graph.transitions_.size());
+        const std::vector<Transition> next =
+            jointTransitions(model, action, surroundings, graph.stride_, options.min_share);
+        for (Transition transition : next) {
+          transition.state = static_cast<StateId>(index(transition.state) + reading * states);
+          graph.transitions_.push_back(transition);
+        }
+      }
     }
   }
   graph.first_transition_.push_back(graph.transitions_.size());

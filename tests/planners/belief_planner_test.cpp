@@ -259,6 +259,21 @@ TEST(BeliefPlanner, AWallIsTracedToTheObjectThatMakesIt) {
   EXPECT_DOUBLE_EQ(illegal->value, 0);
 }
 
+TEST(BeliefPlanner, ADyerThatIsHardlyRecognisedIsUsedWhereTheColourMustChange) {
+  SymbolicProblem problem = tinyProblem(tinySymbols(0, 1, 0, 0), tinySymbols(0, 1, 0, 1));
+  problem.initial.objects.push_back(certain(tinySymbols(1, 2, 0, 1), testing::kTinyCardinality));
+  problem.initial.objects[1][index(Concept::kType)] = {0.7, 0.3};
+  const SymbolGraph graph = compile(tinyModel(), problem, GridValidity());
+  const PlanResult result = BeliefPlanner().solve(graph, query(1));
+  ASSERT_EQ(result.status, PlanStatus::kSolved);
+  EXPECT_THAT(result.plans.at(0).actions, ElementsAre(Action::kChangeColor));
+  EXPECT_NEAR(result.plans.at(0).probability, 0.3, 1e-12);
+  EXPECT_THAT(result.plans.at(0).predicted, ElementsAre(tinySymbols(0, 1, 0, 1)));
+  BeliefPlannerOptions options;
+  options.hard_symbols = true;
+  EXPECT_EQ(BeliefPlanner(options).solve(graph, query(1)).status, PlanStatus::kInfeasible);
+}
+
 TEST(BeliefPlanner, PredictsTheMostProbableSymbolsAfterEachStep) {
   const PlanResult result = BeliefPlanner().solve(
       compile(tinyModel(), tinyProblem(tinySymbols(0, 2, 0, 0), tinySymbols(0, 0, 0, 0)),

@@ -93,6 +93,64 @@ TEST(SymbolGraph, StateBeliefIsTheProductOfTheConcepts) {
   EXPECT_DOUBLE_EQ(std::accumulate(states.begin(), states.end(), 0.0), 1);
 }
 
+/// A dyer in column 2, or none there: type 1 with the probability given.
+SymbolicProblem withUncertainDyer(double dyer) {
+  SymbolicProblem problem = withDyer();
+  problem.initial.objects[1][index(Concept::kType)] = {1 - dyer, dyer};
+  return problem;
+}
+
+TEST(SymbolGraph, CertainObjectsHaveOneReading) {
+  const SymbolGraph graph = compile(tinyModel(), withDyer(), GridValidity());
+  EXPECT_EQ(graph.numReadings(), 1u);
+  EXPECT_EQ(graph.readingShare(0), 1);
+}
+
+TEST(SymbolGraph, EachReadingOfTheOtherObjectsHasItsOwnStates) {
+  const SymbolGraph graph = compile(tinyModel(), withUncertainDyer(0.3), GridValidity());
+  ASSERT_EQ(graph.numReadings(), 2u);
+  EXPECT_EQ(graph.numStates(), 2u * 3 * 2 * 2);
+  EXPECT_DOUBLE_EQ(graph.readingShare(0), 0.7);
+  const StateId beside = graph.state(tinySymbols(0, 1, 0, 0));
+  const StateId beside_dyer = graph.inReading(beside, 1);
+  EXPECT_EQ(graph.readingOf(beside), 0u);
+  EXPECT_EQ(graph.readingOf(beside_dyer), 1u);
+  EXPECT_EQ(graph.symbols(beside_dyer), graph.symbols(beside));
+  EXPECT_EQ(graph.legality(beside, Action::kChangeColor), 0);
+  EXPECT_GT(graph.legality(beside_dyer, Action::kChangeColor), 0);
+  for (const Action action : kActions) {
+    for (const Transition& transition : graph.transitions(beside_dyer, action)) {
+      EXPECT_EQ(graph.readingOf(transition.state), 1u);
+    }
+  }
+}
+
+TEST(SymbolGraph, ReadingsCoverPositionsAndTheSymbolsThatEffectsTake) {
+  SymbolicProblem problem = withUncertainDyer(0.9);
+  problem.initial.objects[1][index(Concept::kColor)] = {0.2, 0.8};
+  problem.initial.objects[1][index(Concept::kPositionX)] = {0, 0.4, 0.6};
+  problem.initial.objects[1][index(Concept::kRotation)] = {0.5, 0.5};
+  // A dyer of two colours or no dyer, in two columns; its rotation is nobody's concern.
+  EXPECT_EQ(compile(tinyModel(), problem, GridValidity()).numReadings(), 6u);
+  CompileOptions options;
+  options.max_readings = 1;
+  EXPECT_EQ(compile(tinyModel(), problem, GridValidity(), options).numReadings(), 1u);
+  options.max_readings = 12;
+  options.min_reading = 0.3;
+  EXPECT_EQ(compile(tinyModel(), problem, GridValidity(), options).numReadings(), 2u);
+}
+
+TEST(SymbolGraph, ReadingZeroHasTheMostProbableSymbols) {
+  SymbolicProblem problem = withUncertainDyer(0.4);
+  problem.initial.objects[1][index(Concept::kPositionX)] = {0, 0.4, 0.6};
+  const SymbolGraph graph = compile(tinyModel(), problem, GridValidity());
+  EXPECT_FALSE(graph.valid(graph.state(tinySymbols(0, 2, 0, 0))));
+  EXPECT_EQ(graph.legality(graph.state(tinySymbols(0, 1, 0, 0)), Action::kChangeColor), 0);
+  for (std::size_t i = 2; i < graph.numReadings(); ++i) {
+    EXPECT_LE(graph.readingShare(i), graph.readingShare(i - 1));
+  }
+}
+
 TEST(SymbolGraph, RefusesProblemsThatDoNotFit) {
   const auto compiled = [](const SymbolicProblem& problem) {
     return [problem] { compile(tinyModel(), problem, GridValidity()); };

@@ -30,8 +30,9 @@ double normalize(StateBelief& belief);
 /// Sum over o of belief(o) goal(o).
 double agreement(const StateBelief& belief, const StateBelief& goal);
 
-/// The belief at the start of a plan: that of the pictures among valid states, since the target
-/// stands somewhere; as it is if no state that it holds is valid.
+/// The belief at the start of a plan, over symbols and readings of the other objects: that of the
+/// pictures among valid states, since the target stands somewhere; as it is if no state that it
+/// holds is valid.
 StateBelief startBelief(const SymbolGraph& graph, const SymbolBelief& belief);
 
 /// What a plan achieves from a start belief.
