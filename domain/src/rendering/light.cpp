@@ -67,7 +67,8 @@ Vector3f Light::shade(const Vector3f& p_W, const Vector3f& normal, const Vector3
                                           grazing * grazing * grazing;
   const Vector3f mirrored = 2 * normal.dot(to_eye) * normal - to_eye;
   const Vector3f half = (to_lamp + to_eye).normalized();
-  const float lobe = (shininess + 8) / 25 * std::pow(std::max(normal.dot(half), 0.0F), shininess);
+  const float lobe =
+      facing > 0 ? (shininess + 8) / 25 * std::pow(std::max(normal.dot(half), 0.0F), shininess) : 0;
   return diffuse + fresnel * (lamp * (lobe * facing) + gloss * open * surroundings(mirrored));
 }
 

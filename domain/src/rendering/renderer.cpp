@@ -51,18 +51,19 @@ class Renderer::Implementation {
                               const Appearance& appearance, std::size_t object_index);
 
  private:
-  /// The empty room in one picture.
+  /// The empty room in one picture, shaded where it has been needed.
   struct Background {
     std::vector<RoomPoint> points;
-    std::vector<std::uint8_t> edge;  ///< 1 where surfaces meet
+    std::vector<std::uint8_t> edge;    ///< 1 where surfaces meet
+    std::vector<std::uint8_t> shaded;  ///< 1 where `rgb` holds a colour
     std::vector<std::uint8_t> rgb;
   };
 
   void prepare(const Workbench& workbench, const Appearance& appearance);
   Scene scene(const World& world, std::size_t first_index);
   void traceBackground();
-  const Background& background();
-  const RoomLightMap& lightMap();
+  void showBackground(const std::vector<std::uint8_t>& painted, RgbdImage& image);
+  RoomLightMap& lightMap();
 
   std::optional<Workbench> workbench_;
   std::optional<Room> room_;
@@ -71,7 +72,6 @@ class Renderer::Implementation {
   std::optional<RoomLightMap> light_map_;
   Background background_;
   std::optional<Camera> background_camera_;  ///< whose points the background holds
-  bool background_shaded_ = false;
 };
 
 void Renderer::Implementation::prepare(const Workbench& workbench, const Appearance& appearance) {
@@ -79,27 +79,26 @@ void Renderer::Implementation::prepare(const Workbench& workbench, const Appeara
     room_.emplace(workbench);
     workbench_ = workbench;
     background_camera_.reset();
-    background_shaded_ = false;
+    background_.shaded.clear();
     light_map_.reset();
   }
   if (!look_ || look_->appearance.seed != appearance.seed ||
       look_->appearance.domain != appearance.domain) {
     look_.emplace(appearance);
     view_.emplace(look_->camera);
-    background_shaded_ = false;
+    background_.shaded.clear();
     light_map_.reset();
   }
 }
 
-const RoomLightMap& Renderer::Implementation::lightMap() {
+RoomLightMap& Renderer::Implementation::lightMap() {
   if (!light_map_) light_map_.emplace(*room_, look_->light);
   return *light_map_;
 }
 
 Scene Renderer::Implementation::scene(const World& world, std::size_t first_index) {
   return Scene(
-      world, *look_, *view_, *room_, [this]() -> const RoomLightMap& { return lightMap(); },
-      first_index);
+      world, *look_, *view_, *room_, [this]() -> RoomLightMap& { return lightMap(); }, first_index);
 }
 
 void Renderer::Implementation::traceBackground() {
@@ -145,22 +144,25 @@ void Renderer::Implementation::traceBackground() {
   background_camera_ = camera;
 }
 
-const Renderer::Implementation::Background& Renderer::Implementation::background() {
-  if (background_shaded_) return background_;
-  traceBackground();
-  const Scene empty = scene(World{*workbench_, {}, 0}, 0);
+/// Fills the pixels that nothing was painted on.
+void Renderer::Implementation::showBackground(const std::vector<std::uint8_t>& painted,
+                                              RgbdImage& image) {
+  background_.shaded.resize(background_.points.size(), 0);
   background_.rgb.resize(3 * background_.points.size());
-  const int width = view_->width();
-  for (int y = 0; y < view_->height(); ++y) {
-    for (int x = 0; x < width; ++x) {
-      const auto i = static_cast<std::size_t>(y * width + x);
-      const Vector3f color = background_.edge[i] != 0 ? empty.blendedColor(x, y)
-                                                      : empty.roomColor(background_.points[i]);
-      write(*look_, x, y, color, &background_.rgb[3 * i]);
+  const Scene empty = scene(World{*workbench_, {}, 0}, 0);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto i = static_cast<std::size_t>(y * image.width + x);
+      if (painted[i] != 0) continue;
+      if (background_.shaded[i] == 0) {
+        const Vector3f color = background_.edge[i] != 0 ? empty.blendedColor(x, y)
+                                                        : empty.roomColor(background_.points[i]);
+        write(*look_, x, y, color, &background_.rgb[3 * i]);
+        background_.shaded[i] = 1;
+      }
+      std::copy_n(&background_.rgb[3 * i], 3, &image.rgb[3 * i]);
     }
   }
-  background_shaded_ = true;
-  return background_;
 }
 
 RgbdImage Renderer::Implementation::render(const World& world, const Appearance& appearance) {
@@ -170,13 +172,14 @@ RgbdImage Renderer::Implementation::render(const World& world, const Appearance&
   }
   std::for_each(world.objects.begin(), world.objects.end(), check);
   prepare(world.workbench, appearance);
-  const Background& room = background();
+  traceBackground();
+  const Background& room = background_;
   const Scene objects = scene(world, 0);
 
   RgbdImage image;
   image.width = view_->width();
   image.height = view_->height();
-  image.rgb = room.rgb;
+  image.rgb.resize(3 * room.points.size());
   image.mask.assign(room.points.size(), 0);
   image.depth_m.resize(room.points.size());
   std::transform(room.points.begin(), room.points.end(), image.depth_m.begin(),
@@ -219,6 +222,7 @@ RgbdImage Renderer::Implementation::render(const World& world, const Appearance&
       }
     }
   }
+  showBackground(painted, image);
   return image;
 }
 

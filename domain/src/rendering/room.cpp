@@ -121,38 +121,43 @@ constexpr float kCell_m = 0.05F;
 
 }  // namespace
 
-RoomLightMap::RoomLightMap(const Room& room, const Light& light) : wall_y_(room.wall()) {
-  for (int row = 0; row < kRows; ++row) {
-    for (int column = 0; column < kColumns; ++column) {
-      const auto i = static_cast<std::size_t>(row * kColumns + column);
-      const float x = kLeft_m + kCell_m * static_cast<float>(column);
-      const float up = kCell_m * static_cast<float>(row);
-      floor_[i] = room.lit({x, wall_y_ - 0.02F - up, kFloor_m + 0.002F}, light);
-      wall_[i] = room.lit({x, wall_y_ - 0.005F, kFloor_m + up}, light);
-    }
-  }
+RoomLightMap::RoomLightMap(const Room& room, const Light& light) : room_(&room), light_(&light) {
+  floor_.fill(kUnknown);
+  wall_.fill(kUnknown);
 }
 
-float RoomLightMap::at(const Grid& grid, float a, float b) {
+Vector3f RoomLightMap::p_W(RoomSurface surface, int column, int row) const {
+  const float x = kLeft_m + kCell_m * static_cast<float>(column);
+  const float away = kCell_m * static_cast<float>(row);
+  if (surface == kFloor) return {x, room_->wall() - 0.02F - away, kFloor_m + 0.002F};
+  return {x, room_->wall() - 0.005F, kFloor_m + away};
+}
+
+float RoomLightMap::at(RoomSurface surface, float a, float b) {
   const float x = std::clamp((a - kLeft_m) / kCell_m, 0.0F, kColumns - 1.001F);
   const float y = std::clamp(b / kCell_m, 0.0F, kRows - 1.001F);
   const int i = static_cast<int>(x);
   const int j = static_cast<int>(y);
   const float sx = x - static_cast<float>(i);
   const float sy = y - static_cast<float>(j);
-  const float* cell = &grid[static_cast<std::size_t>(j * kColumns + i)];
-  const float low = cell[0] + (cell[1] - cell[0]) * sx;
-  const float high = cell[kColumns] + (cell[kColumns + 1] - cell[kColumns]) * sx;
+  Grid& grid = surface == kFloor ? floor_ : wall_;
+  const auto corner = [&](int di, int dj) {
+    float& value = grid[static_cast<std::size_t>((j + dj) * kColumns + i + di)];
+    if (value == kUnknown) value = room_->lit(p_W(surface, i + di, j + dj), *light_);
+    return value;
+  };
+  const float low = corner(0, 0) + (corner(1, 0) - corner(0, 0)) * sx;
+  const float high = corner(0, 1) + (corner(1, 1) - corner(0, 1)) * sx;
   return low + (high - low) * sy;
 }
 
-float RoomLightMap::lit(const RoomPoint& point) const {
+float RoomLightMap::lit(const RoomPoint& point) {
   switch (point.surface) {
     case kFloor:
-      return at(floor_, point.p_W.x(), wall_y_ - 0.02F - point.p_W.y());
+      return at(kFloor, point.p_W.x(), room_->wall() - 0.02F - point.p_W.y());
     case kWall:
     case kSkirting:
-      return at(wall_, point.p_W.x(), point.p_W.z() - kFloor_m);
+      return at(kWall, point.p_W.x(), point.p_W.z() - kFloor_m);
     case kTable:
     case kTableEdge:
     case kNone:

@@ -60,19 +60,23 @@ class Room {
 };
 
 /// Light on the room's floor and wall under one lamp: how much of it each point sees, with the
-/// workbench in the way.
+/// workbench in the way. Found where it is asked for; the references must outlive the map.
 class RoomLightMap {
  public:
   RoomLightMap(const Room& room, const Light& light);
-  float lit(const RoomPoint& point) const;
+  float lit(const RoomPoint& point);
 
  private:
   static constexpr int kColumns = 61;
   static constexpr int kRows = 27;
   using Grid = std::array<float, kColumns * kRows>;
-  static float at(const Grid& grid, float a, float b);
+  static constexpr float kUnknown = -1;
 
-  float wall_y_;
+  Eigen::Vector3f p_W(RoomSurface surface, int column, int row) const;
+  float at(RoomSurface surface, float a, float b);
+
+  const Room* room_;
+  const Light* light_;
   Grid floor_;
   Grid wall_;
 };

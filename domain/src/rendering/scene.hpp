@@ -48,8 +48,8 @@ struct PixelBox {
 /// The objects of a world before a camera: which one each pixel sees, and in what colour.
 class Scene {
  public:
-  /// Light on floor and wall, made only when it is needed.
-  using LightMap = std::function<const RoomLightMap&()>;
+  /// Light on floor and wall, made when it is first needed.
+  using LightMap = std::function<RoomLightMap&()>;
   static constexpr std::uint8_t kNobody = 0;
 
   /// Traces all pixel centres that may see an object. The references must outlive the scene.

@@ -218,6 +218,7 @@ Texel Texture::sample(float u, float v, float footprint) const {
   const std::size_t coarse = std::min(fine + 1, levels_.size() - 1);
   const float share = level - static_cast<float>(fine);
   const Texel a = fetch(levels_[fine], u, v);
+  if (share == 0) return a;
   const Texel b = fetch(levels_[coarse], u, v);
   return {a.mix + (b.mix - a.mix) * share, a.joint + (b.joint - a.joint) * share};
 }
