@@ -7,14 +7,26 @@ namespace conceptplan::cli {
 // Each adds one command with its options.
 
 void addDoctorCommand(CommandLine& line);
-/// All commands of the group `generate`.
+void addEvaluateCommand(CommandLine& line);
+void addPlanCommand(CommandLine& line);
+void addPlannersCommand(CommandLine& line);
+void addSolveCommand(CommandLine& line);
+void addTrainCommand(CommandLine& line);
+void addValidateCommand(CommandLine& line);
+
+// All commands of a group.
+
 void addGenerateCommands(CommandLine& line);
+void addInspectCommands(CommandLine& line);
+
+// Those of the groups.
+
 void addGenerateConceptsCommand(CommandLine& line, CLI::App& group);
 void addGenerateImagesCommand(CommandLine& line, CLI::App& group);
 void addGenerateScenariosCommand(CommandLine& line, CLI::App& group);
 void addGenerateTasksCommand(CommandLine& line, CLI::App& group);
-void addInspectCommands(CommandLine& line);
-void addPlannersCommand(CommandLine& line);
-void addValidateCommand(CommandLine& line);
+void addInspectDatasetCommand(CommandLine& line, CLI::App& group);
+void addInspectModelCommand(CommandLine& line, CLI::App& group);
+void addInspectScenarioCommand(CommandLine& line, CLI::App& group);
 
 }  // namespace conceptplan::cli

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "conceptplan/pipeline/model.hpp"
 #include "exit_code.hpp"
 #include "loaded_libraries.hpp"
 
@@ -67,6 +68,18 @@ Check checkChromium() {
   return {"chromium", true, "not found", "optional: install chromium to test the report"};
 }
 
+/// The shipped model, all of its files checked and loaded.
+Check checkModel() {
+  try {
+    const std::filesystem::path folder = findModel("default");
+    const Model model(folder);
+    return {"model", true, folder.string(), ""};
+  } catch (const InputError& error) {
+    return {"model", false, error.faults().front().text(),
+            "conceptplan train all makes one; CONCEPTPLAN_MODELS names the folder of models"};
+  }
+}
+
 int examine(Session& session) {
   const std::vector<Check> checks{
       {"conceptplan", true, CONCEPTPLAN_VERSION, ""},
@@ -78,6 +91,7 @@ int examine(Session& session) {
       checkEigen(),
       checkBlas(),
       checkThreads(),
+      checkModel(),
       checkChromium(),
   };
   Json list = Json::array();

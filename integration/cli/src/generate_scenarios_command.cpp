@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "conceptplan/pipeline/model.hpp"
 #include "exit_code.hpp"
 #include "scenario_generation.hpp"
 #include "task_set_options.hpp"
@@ -13,6 +14,10 @@ struct GenerateScenariosOptions {
 
 int makeScenarios(GenerateScenariosOptions options, Session& session) {
   options.set.tasks.seed = session.options.seed;
+  if (options.set.symbols_only) {
+    const std::filesystem::path model = findModel(options.set.model);
+    options.set.grounding = readSymbolicModel(model / kTransitionsFile).grounding;
+  }
   const std::vector<std::filesystem::path> folders =
       generateScenarios(options.out, options.set, session.options.jobs,
                         session.console.progress("scenarios"), session.cancel);
@@ -51,7 +56,7 @@ void addGenerateScenariosCommand(CommandLine& line, CLI::App& group) {
   command.add_option("--model", options->set.model, "The model that the scenarios name")
       ->type_name("NAME|DIR");
   command.add_flag("--symbols-only", options->set.symbols_only,
-                   "No pictures: the true values as symbols, by their names");
+                   "No pictures: the true values as symbols of the model, by their names");
   command.add_flag("--infeasible", options->set.infeasible,
                    "Scenarios without a solution: the target is shut in");
 }

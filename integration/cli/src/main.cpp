@@ -5,8 +5,12 @@ int main(int argc, char** argv) {
   using namespace conceptplan::cli;
   CommandLine line;
   addGenerateCommands(line);
-  addInspectCommands(line);
+  addTrainCommand(line);
+  addPlanCommand(line);
+  addSolveCommand(line);
+  addEvaluateCommand(line);
   addValidateCommand(line);
+  addInspectCommands(line);
   addPlannersCommand(line);
   addDoctorCommand(line);
   return line.run(argc, argv, catchInterrupts());

@@ -1,39 +1,69 @@
 #include "scenario_check.hpp"
 
+#include <functional>
+
 #include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "conceptplan/pipeline/model.hpp"
 
 namespace conceptplan::cli {
+namespace {
 
-std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const PlannerRegistry& registry) {
+/// Does the work; its faults become faults of the scenario, at their keys.
+template <typename Work>
+auto placed(const Scenario& scenario, const Work& work) {
   try {
-    return registry.make(scenario.planner.name, scenario.planner.options, scenario.file.string());
+    return work();
   } catch (const InputError& error) {
-    std::vector<Fault> placed;
+    std::vector<Fault> faults;
     for (const Fault& fault : error.faults()) {
-      placed.push_back(scenario.fault(fault.key, fault.message));
+      faults.push_back(scenario.fault(fault.key, fault.message));
     }
-    throw InputError(std::move(placed));
+    throw InputError(std::move(faults));
   }
 }
 
-Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerRegistry& registry) {
-  Scenario scenario = readScenario(path);
+std::vector<Fault> openFaults(const Scenario& scenario, const PlannerRegistry& registry) {
+  const std::vector<std::function<void()>> checks{
+      [&] { modelFolder(scenario); },
+      [&] { makePlanner(scenario, scenario.planner.name, registry); },
+      [&] {
+        if (scenario.reference && std::filesystem::is_regular_file(*scenario.reference)) {
+          readReference(*scenario.reference);
+        }
+      }};
   std::vector<Fault> faults;
-  const auto collect = [&faults](const InputError& error) {
-    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
-  };
-  try {
-    makePlanner(scenario, registry);
-  } catch (const InputError& error) {
-    collect(error);
+  for (const std::function<void()>& check : checks) {
+    try {
+      check();
+    } catch (const InputError& error) {
+      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    }
   }
+  return faults;
+}
+
+}  // namespace
+
+Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerRegistry& registry) {
+  return readScenario(
+      path, [&registry](const Scenario& scenario) { return openFaults(scenario, registry); });
+}
+
+std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string& name,
+                                     const PlannerRegistry& registry) {
+  const bool own = name == scenario.planner.name;
+  return placed(scenario, [&] {
+    return registry.make(name, own ? scenario.planner.options : OptionTexts{},
+                         scenario.file.string());
+  });
+}
+
+std::filesystem::path modelFolder(const Scenario& scenario) {
   try {
-    if (scenario.reference) readReference(*scenario.reference);
+    return findModel(scenario.model, scenario.file.parent_path());
   } catch (const InputError& error) {
-    collect(error);
+    throw InputError({scenario.fault("model", error.faults().front().message)});
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
-  return scenario;
 }
 
 }  // namespace conceptplan::cli

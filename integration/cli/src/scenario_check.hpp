@@ -9,11 +9,16 @@
 namespace conceptplan::cli {
 
 /// Reads a scenario and checks also what the file format leaves open: the planner's name and
-/// options, and the reference.
+/// options, that the model is there, and the reference.
 /// @throws InputError with all faults.
 Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerRegistry& registry);
 
-/// The planner that a scenario asks for. @throws InputError with the lines of the keys.
-std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const PlannerRegistry& registry);
+/// The planner of that name, with the scenario's options if the scenario names the same one.
+/// @throws InputError with the lines of the keys.
+std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string& name,
+                                     const PlannerRegistry& registry);
+
+/// The folder of the scenario's model. @throws InputError with the line of the key.
+std::filesystem::path modelFolder(const Scenario& scenario);
 
 }  // namespace conceptplan::cli

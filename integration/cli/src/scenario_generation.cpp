@@ -1,13 +1,11 @@
 #include "scenario_generation.hpp"
 
 #include <algorithm>
-#include <exception>
+#include <memory>
 #include <mutex>
-#include <optional>
-#include <thread>
 
 #include "conceptplan/domain/rendering/renderer.hpp"
-#include "conceptplan/domain/simulation/simulator.hpp"
+#include "parallel_work.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -111,41 +109,22 @@ std::vector<std::filesystem::path> generateScenarios(
     const std::atomic<bool>& cancel) {
   const auto total = static_cast<std::size_t>(options.count);
   std::vector<char> finished(total, 0);
-  std::size_t next = 0;
   std::size_t done = 0;
-  std::exception_ptr failure;
   std::mutex mutex;
-  const auto takeOne = [&]() -> std::optional<std::size_t> {
-    const std::lock_guard lock(mutex);
-    if (next >= total || failure || cancel) return std::nullopt;
-    return next++;
-  };
-  const auto work = [&] {
-    std::optional<Renderer> renderer;
-    try {
-      if (!options.symbols_only) renderer.emplace();
-      while (const std::optional<std::size_t> i = takeOne()) {
-        const int number = static_cast<int>(*i);
-        const std::string name = scenarioName(options, number);
-        const Reference reference = drawReference(options, number);
-        writeScenario(folder / name,
-                      makeScenario(options, name, reference, renderer ? &*renderer : nullptr),
-                      reference);
-        const std::lock_guard lock(mutex);
-        finished[*i] = 1;
-        progress(++done, total);
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-    }
-  };
   progress(0, total);
-  std::vector<std::thread> threads;
-  for (int job = 1; job < std::min(jobs, options.count); ++job) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  workInParallel(total, jobs, cancel, [&]() -> Worker {
+    const auto renderer =
+        options.symbols_only ? std::shared_ptr<Renderer>() : std::make_shared<Renderer>();
+    return [&, renderer](std::size_t i) {
+      const std::string name = scenarioName(options, static_cast<int>(i));
+      const Reference reference = drawReference(options, static_cast<int>(i));
+      writeScenario(folder / name, makeScenario(options, name, reference, renderer.get()),
+                    reference);
+      const std::lock_guard lock(mutex);
+      finished[i] = 1;
+      progress(++done, total);
+    };
+  });
   std::vector<std::filesystem::path> folders;
   for (std::size_t i = 0; i < total; ++i) {
     if (finished[i]) folders.push_back(folder / scenarioName(options, static_cast<int>(i)));

@@ -8,8 +8,9 @@
 namespace conceptplan::cli {
 namespace {
 
-const std::vector<TrainingStage> kAllStages{TrainingStage::kLearnConcepts, TrainingStage::kMakeSymbols,
-                                            TrainingStage::kCountTransitions, TrainingStage::kTrainVict};
+const std::vector<TrainingStage> kAllStages{
+    TrainingStage::kLearnConcepts, TrainingStage::kMakeSymbols, TrainingStage::kCountTransitions,
+    TrainingStage::kTrainVict};
 
 struct TrainCommandOptions {
   std::vector<TrainingStage> stages;
@@ -24,7 +25,7 @@ std::optional<std::vector<TrainingStage>> stagesNamed(std::string_view text) {
   return std::nullopt;
 }
 
-Json measuresJson(const ModelManifest& manifest) {
+Json allMeasures(const ModelManifest& manifest) {
   Json measures = Json::object();
   for (const auto& [name, value] : manifest.measures) measures[name] = value;
   return measures;
@@ -45,9 +46,9 @@ int trainStages(TrainCommandOptions options, Session& session) {
     (*progress)(state.done, state.total, state.message);
   };
   if (!train(options.stages, options.training, control)) throw Interrupted{};
-  const ModelManifest manifest = readManifest(options.training.model);
+  const ModelManifest manifest = readModelManifest(options.training.model);
   session.console.printJson(
-      {{"model", options.training.model.string()}, {"measures", measuresJson(manifest)}});
+      {{"model", options.training.model.string()}, {"measures", allMeasures(manifest)}});
   session.console.print(options.training.model.string() + ": trained");
   TextTable table;
   for (const auto& [name, value] : manifest.measures) {

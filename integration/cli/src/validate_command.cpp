@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "conceptplan/pipeline/model.hpp"
 #include "exit_code.hpp"
 #include "scenario_check.hpp"
 
@@ -10,10 +11,19 @@ struct ValidateOptions {
   std::vector<std::string> paths;
 };
 
+/// That the files of the scenario's model are whole, and symbols given by hand are its own.
+void checkModel(const Scenario& scenario) {
+  const std::filesystem::path folder = modelFolder(scenario);
+  readModelManifest(folder);
+  if (std::holds_alternative<SymbolInput>(scenario.input)) {
+    problemOf(scenario, readSymbolicModel(folder / kTransitionsFile).cardinality());
+  }
+}
+
 /// All faults that stand in the way of one scenario.
 std::vector<Fault> faultsOf(const std::filesystem::path& file, const PlannerRegistry& registry) {
   try {
-    readCheckedScenario(file, registry);
+    checkModel(readCheckedScenario(file, registry));
   } catch (const InputError& error) {
     return error.faults();
   }

@@ -80,16 +80,19 @@ TEST_P(EachCommand, HelpHasAnExampleAndTheCommonOptions) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachCommand,
-                         testing::Values(std::vector<std::string>{"generate", "concepts"},
-                                         std::vector<std::string>{"generate", "tasks"},
-                                         std::vector<std::string>{"generate", "scenarios"},
-                                         std::vector<std::string>{"generate", "images"},
-                                         std::vector<std::string>{"validate"},
-                                         std::vector<std::string>{"planners"},
-                                         std::vector<std::string>{"inspect", "dataset"},
-                                         std::vector<std::string>{"inspect", "scenario"},
-                                         std::vector<std::string>{"doctor"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, EachCommand,
+    testing::Values(std::vector<std::string>{"generate", "concepts"},
+                    std::vector<std::string>{"generate", "tasks"},
+                    std::vector<std::string>{"generate", "scenarios"},
+                    std::vector<std::string>{"generate", "images"},
+                    std::vector<std::string>{"train"}, std::vector<std::string>{"plan"},
+                    std::vector<std::string>{"solve"}, std::vector<std::string>{"evaluate"},
+                    std::vector<std::string>{"inspect", "model"},
+                    std::vector<std::string>{"validate"}, std::vector<std::string>{"planners"},
+                    std::vector<std::string>{"inspect", "dataset"},
+                    std::vector<std::string>{"inspect", "scenario"},
+                    std::vector<std::string>{"doctor"}));
 
 TEST(Planners, JsonHasTheStableNames) {
   const CommandResult result = runCommand({"planners", "--json"});

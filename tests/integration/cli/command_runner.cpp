@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -74,22 +73,17 @@ class Process {
   bool ended_ = false;
 };
 
-std::size_t lineCount(const std::string& path) {
-  const std::string text = contents(path);
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
 }  // namespace
 
 CommandResult runCommand(const std::vector<std::string>& arguments) {
   return Process(arguments).wait();
 }
 
-CommandResult runInterrupted(const std::vector<std::string>& arguments, const std::string& file,
-                             std::size_t lines) {
+CommandResult runInterrupted(const std::vector<std::string>& arguments,
+                             const std::function<bool()>& condition) {
   Process process(arguments);
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (process.running() && lineCount(file) < lines && std::chrono::steady_clock::now() < end) {
+  while (process.running() && !condition() && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   if (process.running()) process.interrupt();

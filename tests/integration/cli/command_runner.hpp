@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,8 +16,8 @@ struct CommandResult {
 /// Runs the built command and waits for it.
 CommandResult runCommand(const std::vector<std::string>& arguments);
 
-/// The same, but sends SIGINT once `file` has at least that many lines, or after a minute.
-CommandResult runInterrupted(const std::vector<std::string>& arguments, const std::string& file,
-                             std::size_t lines);
+/// The same, but sends SIGINT once the condition holds, or after a minute.
+CommandResult runInterrupted(const std::vector<std::string>& arguments,
+                             const std::function<bool()>& condition);
 
 }  // namespace conceptplan::cli

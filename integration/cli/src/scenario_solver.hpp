@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "conceptplan/pipeline/solve.hpp"
+#include "conceptplan/planners/planner_registry.hpp"
+
+namespace conceptplan::cli {
+
+/// A scenario with all that came of it.
+struct SolvedScenario {
+  Scenario scenario;
+  std::string planner;
+  std::shared_ptr<const Model> model;
+  Solution solution;
+};
+
+/// Reads and solves scenarios; a model that several of them name is loaded once. Thread-safe.
+class ScenarioSolver {
+ public:
+  ScenarioSolver() : registry_(PlannerRegistry::standard()) {}
+
+  /// @param planner in place of the scenario's own; empty: the scenario's
+  /// @param model in place of the scenario's own; empty: the scenario's
+  /// @throws InputError if the scenario or its model is wrong.
+  SolvedScenario solve(const std::filesystem::path& file, const std::string& planner,
+                       const std::string& model, const SolveOptions& options);
+
+  const PlannerRegistry& registry() const { return registry_; }
+
+ private:
+  std::shared_ptr<const Model> load(const std::filesystem::path& folder);
+
+  PlannerRegistry registry_;
+  std::mutex mutex_;
+  std::map<std::filesystem::path, std::shared_ptr<const Model>> models_;
+};
+
+}  // namespace conceptplan::cli

@@ -1,0 +1,111 @@
+#include "result_json.hpp"
+
+#include <gmock/gmock.h>
+
+namespace conceptplan::cli {
+namespace {
+
+using testing::HasSubstr;
+
+const ResultKey kKey{"scenarios/level3-0001", "belief", 3};
+
+Solution solved(std::vector<ActionSequence> plans) {
+  Solution solution;
+  solution.result.status = PlanStatus::kSolved;
+  for (ActionSequence& actions : plans) {
+    Plan plan;
+    plan.probability = 0.5;
+    plan.cost = 0.25;
+    plan.actions = std::move(actions);
+    solution.result.plans.push_back(plan);
+  }
+  solution.result.statistics = {10, 20, 30};
+  return solution;
+}
+
+Solution judged(std::optional<Failure> failure) {
+  Solution solution = solved({{Action::kMoveBack, Action::kChangeColor}});
+  solution.evaluation = Evaluation{{failure, {}, 1.5}, true};
+  if (!failure) solution.evaluation->best.efficiency = 0.75;
+  return solution;
+}
+
+Solution infeasible() {
+  Solution solution;
+  solution.result.status = PlanStatus::kInfeasible;
+  solution.result.reason = "shut in";
+  return solution;
+}
+
+TEST(ResultJson, ScenariosAreNamedByTheirFolder) {
+  EXPECT_EQ(resultName("scenarios//level3-0001/scenario.yaml"), "scenarios/level3-0001");
+  EXPECT_EQ(resultName("mine/other.yaml"), "mine/other.yaml");
+  EXPECT_EQ(resultName("scenario.yaml"), "scenario.yaml");
+}
+
+TEST(ResultJson, HasTheStableNamesInOrder) {
+  const Json json = resultJson(kKey, solved({{Action::kMoveFront}}));
+  std::string names;
+  for (const auto& [name, value] : json.items()) names += name + " ";
+  EXPECT_EQ(names,
+            "scenario planner seed status reason plans evaluation times_ms statistics refinement "
+            "version ");
+  EXPECT_EQ(json["status"], "solved");
+  EXPECT_EQ(json["plans"][0].dump(),
+            R"({"actions":["move_front"],"probability":0.5,"cost":0.25,"length":1})");
+  EXPECT_EQ(json["statistics"].dump(), R"({"expanded":10,"generated":20,"validity_checks":30})");
+  EXPECT_TRUE(json["evaluation"].is_null());
+  EXPECT_TRUE(json["refinement"].is_null());
+  for (const char* part : {"perceive", "compile", "search", "refine", "render", "total"}) {
+    EXPECT_TRUE(json["times_ms"].contains(part));
+  }
+}
+
+TEST(ResultJson, EvaluationTellsSuccessOrItsCause) {
+  const Json wrong = resultJson(kKey, judged(Failure::kOffWorkbench))["evaluation"];
+  EXPECT_EQ(wrong.dump(), R"({"top1":false,"top5":true,"efficiency":null,"final_distance":1.5,)"
+                          R"("failure":"off_workbench"})");
+  const Json right = resultJson(kKey, judged(std::nullopt))["evaluation"];
+  EXPECT_EQ(right["top1"], true);
+  EXPECT_EQ(right["efficiency"], 0.75);
+  EXPECT_TRUE(right["failure"].is_null());
+}
+
+TEST(ResultJson, ExitCodesFollowTheWorstResult) {
+  const Json good = resultJson(kKey, solved({{}}));
+  const Json none = resultJson(kKey, infeasible());
+  EXPECT_EQ(none["status"], "infeasible");
+  EXPECT_EQ(none["reason"], "shut in");
+  const Json invalid = invalidInputJson(kKey, InputError({Fault{"a.yaml", 3, 1, "k", "bad"}}));
+  EXPECT_EQ(invalid["reason"], "a.yaml:3:1: k: bad");
+  EXPECT_EQ(exitCodeOf({good}), 0);
+  EXPECT_EQ(exitCodeOf({good, none}), 1);
+  EXPECT_EQ(exitCodeOf({none, invalid, good}), 2);
+  EXPECT_EQ(exitCodeOf({invalid, failedJson(kKey, "bug")}), 3);
+}
+
+TEST(ResultJson, CsvQuotesWhatNeedsIt) {
+  const ResultKey odd{"a,\"b\"", "belief", 0};
+  const std::string csv =
+      toCsv({resultJson(odd, solved({{Action::kMoveFront, Action::kChangeColor}})),
+             failedJson(kKey, "bug")});
+  EXPECT_THAT(csv, testing::StartsWith("scenario,planner,seed,status,length,"));
+  EXPECT_THAT(csv,
+              HasSubstr("\"a,\"\"b\"\"\",belief,0,solved,2,0.5,0.25,move_front change_color,,"));
+  EXPECT_THAT(csv, HasSubstr("scenarios/level3-0001,belief,3,failed,,,,,"));
+}
+
+TEST(ResultJson, TableNamesTheScenarioAndTheVerdict) {
+  const TextTable table =
+      toTable({resultJson(kKey, judged(std::nullopt)), resultJson(kKey, judged(Failure::kNoDyer)),
+               resultJson(kKey, infeasible())});
+  EXPECT_EQ(table[1][0], "level3-0001");
+  EXPECT_EQ(table[1][5], "right");
+  EXPECT_EQ(table[1][7], "move_back change_color");
+  EXPECT_EQ(table[2][5], "no_dyer");
+  EXPECT_EQ(table[3][2], "infeasible");
+  EXPECT_EQ(table[3][5], "-");
+}
+
+}  // namespace
+}  // namespace conceptplan::cli
