@@ -18,6 +18,7 @@ Light::Light(RandomStream& random, RenderDomain domain) {
   center_ = {uniform(random, -reach, reach), uniform(random, -0.9F, shifted ? 0.4F : 0.1F),
              uniform(random, 1.8F, 2.3F)};
   const float edge = uniform(random, 0.45F, 0.65F);
+  half_edge_ = 0.5F * edge;
   const float strength = shifted ? uniform(random, 0.7F, 1.25F) : uniform(random, 0.8F, 1.2F);
   const float warmth = shifted ? uniform(random, -0.10F, 0.12F) : uniform(random, -0.02F, 0.05F);
   const float share = uniform(random, 0.63F, 0.75F);

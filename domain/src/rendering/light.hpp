@@ -27,6 +27,7 @@ class Light {
     return samples_[set];
   }
   const Eigen::Vector3f& center() const { return center_; }
+  float halfEdge() const { return half_edge_; }
 
   /// The colour of a surface towards the eye.
   /// @param reflectance at normal incidence; 0 for a surface without any gloss
@@ -49,6 +50,7 @@ class Light {
   Eigen::Vector3f window_;  ///< irradiance from the side of the camera
   Eigen::Vector3f toward_window_;
   Eigen::Vector3f bounce_ = Eigen::Vector3f::Constant(0.3F);
+  float half_edge_ = 0;
   float distance_squared_ = 4;
 };
 

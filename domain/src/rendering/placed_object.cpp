@@ -21,16 +21,15 @@ PlacedObject::PlacedObject(const Workbench& workbench, const ObjectState& object
   sine_ = kCosine[static_cast<std::size_t>((object.rotation + 3) % 4)];
   p_W_ << workbench.p_WCell(object.cell).cast<float>(), 0;
 
-  const Eigen::AlignedBox3f box = bounds_W();
-  shadow_.extend(Vector2f(box.min().head<2>())).extend(Vector2f(box.max().head<2>()));
-  dimmed_ = shadow_;
+  box_W_.extend(Vector3f(p_W_ + scale_ * turned(geometry_->bounds.min())));
+  box_W_.extend(Vector3f(p_W_ + scale_ * turned(geometry_->bounds.max())));
+  shadow_.extend(Vector2f(box_W_.min().head<2>())).extend(Vector2f(box_W_.max().head<2>()));
   for (std::size_t i = 0; i < Light::kSets * Light::kSamples; ++i) {
     const Vector3f& lamp = light.samples(i % Light::kSets)[i / Light::kSets];
     for (const auto corner :
-         {Eigen::AlignedBox3f::TopLeftFloor, Eigen::AlignedBox3f::TopLeftCeil,
-          Eigen::AlignedBox3f::TopRightFloor, Eigen::AlignedBox3f::TopRightCeil,
+         {Eigen::AlignedBox3f::TopLeftCeil, Eigen::AlignedBox3f::TopRightCeil,
           Eigen::AlignedBox3f::BottomLeftCeil, Eigen::AlignedBox3f::BottomRightCeil}) {
-      const Vector3f p = box.corner(corner);
+      const Vector3f p = box_W_.corner(corner);
       const float t = p.z() / (lamp.z() - p.z());
       shadow_.extend(Vector2f((p + t * (p - lamp)).head<2>()));
     }
@@ -48,13 +47,6 @@ Vector3f PlacedObject::toModel(const Vector3f& v_W) const {
   return Vector3f(cosine_ * v_W.x() + sine_ * v_W.y(), -sine_ * v_W.x() + cosine_ * v_W.y(),
                   v_W.z()) /
          scale_;
-}
-
-Eigen::AlignedBox3f PlacedObject::bounds_W() const {
-  Eigen::AlignedBox3f box;
-  box.extend(Vector3f(p_W_ + scale_ * turned(geometry_->bounds.min())));
-  box.extend(Vector3f(p_W_ + scale_ * turned(geometry_->bounds.max())));
-  return box;
 }
 
 unsigned PlacedObject::trace(const int* valid, const RTCRay8& rays, ObjectHit* hits) const {
@@ -120,9 +112,28 @@ Vector3f PlacedObject::shade(const SurfacePoint& point, const Light& light, cons
                      made_of.shininess, lit, point.open);
 }
 
-bool PlacedObject::mayShade(const Vector3f& p_W) const {
-  return shadow_.contains(Vector2f(p_W.head<2>())) &&
-         p_W.z() <= scale_ * geometry_->bounds.max().z();
+bool PlacedObject::mayShade(const Vector3f& p_W, const Light& light) const {
+  const float top = box_W_.max().z();
+  if (p_W.z() > top || !shadow_.contains(Vector2f(p_W.head<2>()))) return false;
+  // Up to the object's top, the bundle of rays to the lamp stays within `spread` of its middle.
+  const Vector3f to_lamp = light.center() - p_W;
+  const float until = (top - p_W.z()) / to_lamp.z();
+  const float spread = light.halfEdge() * until + 1e-4F;
+  float enter = 0;
+  float leave = until;
+  for (int axis = 0; axis < 2; ++axis) {
+    const float low = box_W_.min()[axis] - spread - p_W[axis];
+    const float high = box_W_.max()[axis] + spread - p_W[axis];
+    if (std::abs(to_lamp[axis]) < 1e-6F) {
+      if (low > 0 || high < 0) return false;
+      continue;
+    }
+    const float a = low / to_lamp[axis];
+    const float b = high / to_lamp[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave;
 }
 
 unsigned PlacedObject::hides(const Vector3f& p_W, const Light& light, std::size_t set) const {

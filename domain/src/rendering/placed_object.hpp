@@ -34,9 +34,9 @@ class PlacedObject {
   PlacedObject(const Workbench& workbench, const ObjectState& object, std::size_t index,
                const Appearance& appearance, const Light& light);
 
-  Eigen::AlignedBox3f bounds_W() const;
-  /// The nearest hits of the valid lanes that lie before `depth`; others keep what they are.
-  /// Lanes that hit are set in the result's bits.
+  const Eigen::AlignedBox3f& bounds_W() const { return box_W_; }
+  /// The nearest hits of the valid lanes. The bits of the result are those of the lanes that hit;
+  /// the others keep what they are.
   unsigned trace(const int* valid, const RTCRay8& rays, ObjectHit* hits) const;
   SurfacePoint surface(const ObjectHit& hit, const Eigen::Vector3f& origin_W,
                        const Eigen::Vector3f& direction_W) const;
@@ -44,7 +44,7 @@ class PlacedObject {
                         const Eigen::Vector3f& to_eye, float lit) const;
 
   /// Whether the object may hide any of the lamp from the point.
-  bool mayShade(const Eigen::Vector3f& p_W) const;
+  bool mayShade(const Eigen::Vector3f& p_W, const Light& light) const;
   /// The samples of a set of the lamp's that the object hides from the point, as bits.
   unsigned hides(const Eigen::Vector3f& p_W, const Light& light, std::size_t set) const;
   /// The share of the sky that the object leaves open to a point of the table.
@@ -62,6 +62,7 @@ class PlacedObject {
   float cosine_;
   float sine_;
   Eigen::Vector3f albedo_;
+  Eigen::AlignedBox3f box_W_;
   Eigen::AlignedBox2f shadow_;
   Eigen::AlignedBox2f dimmed_;
 };

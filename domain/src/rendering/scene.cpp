@@ -141,7 +141,7 @@ float Scene::lit(const Vector3f& p_W) const {
   for (std::size_t set = 0; set < Light::kSets; ++set) {
     unsigned bits = 0;
     for (const PlacedObject& object : objects_) {
-      if (object.mayShade(p_W)) bits |= object.hides(p_W, look_.light, set);
+      if (object.mayShade(p_W, look_.light)) bits |= object.hides(p_W, look_.light, set);
     }
     hidden += std::popcount(bits);
     // Only where the first set is of two minds is there a penumbra to smooth.
