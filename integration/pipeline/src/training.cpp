@@ -32,9 +32,9 @@ Profile fullFrameProfile() {
 Profile fineTuneProfile() {
   Profile profile = cpuProfile();
   profile.name = "fine-tune";
-  profile.concepts.steps = 400;
-  profile.concepts.reconstruction_start = 0;
-  profile.concepts.learning_rate = 1e-3;
+  profile.concepts.steps = 450;
+  profile.concepts.reconstruction_start = 0.67;
+  profile.concepts.confidence_weight = 0.6;
   profile.concepts.averaging = 0.99;
   profile.vict.synthesis_steps = 2000;
   return profile;
