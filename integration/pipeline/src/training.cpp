@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/checksum.hpp"
@@ -40,6 +41,16 @@ Profile fineTuneProfile() {
   return profile;
 }
 
+Profile redrawProfile() {
+  Profile profile = cpuProfile();
+  profile.name = "redraw";
+  profile.concepts.steps = 500;
+  profile.concepts.encoder_share = 0;
+  profile.concepts.learning_rate = 1e-3;
+  profile.concepts.averaging = 0.99;
+  return profile;
+}
+
 Profile smokeProfile() {
   Profile profile;
   profile.name = "smoke";
@@ -68,16 +79,22 @@ GenerationControl generationControl(const Run& run, const std::string& what) {
           run.control.cancel};
 }
 
+/// Whether a dataset is there whose generation was not interrupted. What else is wrong with it is
+/// for its reader to tell.
 bool complete(const std::filesystem::path& folder) {
-  return std::filesystem::exists(folder / "dataset.json");
+  const std::filesystem::path path = folder / "dataset.json";
+  if (!std::filesystem::exists(path)) return false;
+  const nlohmann::json manifest = nlohmann::json::parse(readFile(path), nullptr, false);
+  return !manifest.is_object() || manifest.value("complete", nlohmann::json()) != false;
 }
 
 }  // namespace
 
 Profile profileNamed(const std::string& name) {
-  for (Profile profile : {cpuProfile(), fullFrameProfile(), fineTuneProfile(), smokeProfile()})
+  for (Profile profile :
+       {cpuProfile(), fullFrameProfile(), fineTuneProfile(), redrawProfile(), smokeProfile()})
     if (profile.name == name) return profile;
-  std::vector<std::string_view> known{"cpu", "full-frame", "fine-tune", "smoke"};
+  std::vector<std::string_view> known{"cpu", "full-frame", "fine-tune", "redraw", "smoke"};
   throw InputError({{"--profile", std::nullopt, std::nullopt, "",
                      "unknown profile \"" + name + "\"" + didYouMean(name, known)}});
 }
@@ -127,7 +144,9 @@ std::optional<TaskDataset> taskData(const Run& run) {
 
 }  // namespace training
 
-std::vector<std::string> trainingProfiles() { return {"cpu", "full-frame", "fine-tune", "smoke"}; }
+std::vector<std::string> trainingProfiles() {
+  return {"cpu", "full-frame", "fine-tune", "redraw", "smoke"};
+}
 
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control) {

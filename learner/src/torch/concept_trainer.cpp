@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::int64_t kGroupImages = 1 + static_cast<std::int64_t>(kNumConcepts);
 
+constexpr AugmentationOptions kNoAugmentation{0, 0, 0, 0, 0, 0};
+
 /// One batch of anchor groups.
 struct AnchorBatch {
   EncoderBatch images;    // G * 7
@@ -21,18 +23,18 @@ struct AnchorBatch {
 };
 
 AnchorBatch drawBatch(const ConceptImages& images, const AnchorSampler& sampler,
-                      const ConceptTrainingOptions& options, std::mt19937_64& generator) {
-  auto differs =
-      torch::empty({options.groups, static_cast<std::int64_t>(kNumConcepts)}, torch::kBool);
+                      std::int64_t groups, const AugmentationOptions& augmentation,
+                      std::mt19937_64& generator) {
+  auto differs = torch::empty({groups, static_cast<std::int64_t>(kNumConcepts)}, torch::kBool);
   auto* differ = differs.data_ptr<bool>();
   std::vector<EncoderInput> inputs;
-  for (std::int64_t g = 0; g < options.groups; ++g) {
+  for (std::int64_t g = 0; g < groups; ++g) {
     const AnchorGroup group = sampler.draw(generator);
     differ = std::copy(group.differs.begin(), group.differs.end(), differ);
     for (const std::size_t image : group.images) {
       const std::size_t occluder = generator() % images.size();
       inputs.push_back(augmented(images.planes(image), images.location(image),
-                                 images.planes(occluder), options.augmentation, generator));
+                                 images.planes(occluder), augmentation, generator));
     }
   }
   return {encoderBatch(inputs), differs};
@@ -64,7 +66,13 @@ void ConceptTrainer::startFrom(const NamedTensors& tensors, const std::filesyste
 
 ConceptLosses ConceptTrainer::step() {
   auto generator = stepGenerator(options_.seed, steps_done_);
-  const AnchorBatch batch = drawBatch(images_, sampler_, options_, generator);
+  const bool encoder_fixed = static_cast<double>(steps_done_) >=
+                             options_.encoder_share * static_cast<double>(options_.steps);
+  const AnchorBatch batch =
+      drawBatch(images_, sampler_, options_.groups,
+                encoder_fixed ? kNoAugmentation : options_.augmentation, generator);
+  const bool gradients = torch::GradMode::is_enabled();
+  torch::GradMode::set_enabled(gradients && !encoder_fixed);
   const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
   const auto z = network_->encode(planes);
   const auto tokens = network_->tokenize(z, batch.images.location);
@@ -95,9 +103,12 @@ ConceptLosses ConceptTrainer::step() {
   losses.use = use.item<double>();
   losses.confidence = confidence.item<double>();
 
+  torch::GradMode::set_enabled(gradients);
+  if (encoder_fixed) total = torch::zeros({});
+
   const auto reconstruction_from = static_cast<std::int64_t>(options_.reconstruction_start *
                                                              static_cast<double>(options_.steps));
-  if (steps_done_ >= reconstruction_from && pairs.size(0) > 0) {
+  if ((encoder_fixed || steps_done_ >= reconstruction_from) && pairs.size(0) > 0) {
     // Eq. (1): the anchor from its own tokens, the partner from the anchor's tokens with one
     // substituted; and the direct branch of Eq. (3) from the anchor's latent embedding.
     std::vector<std::int64_t> order(static_cast<std::size_t>(pairs.size(0)));
@@ -136,10 +147,13 @@ ConceptLosses ConceptTrainer::step() {
         .lr(options_.learning_rate * learningRateShare(static_cast<double>(steps_done_) /
                                                            static_cast<double>(options_.steps),
                                                        options_.warm_up));
-  optimizer_.zero_grad();
-  total.backward();
-  torch::nn::utils::clip_grad_norm_(network_->parameters(), 5.0);
-  optimizer_.step();
+  // Without a gradient the optimizer leaves a parameter alone; with one of zero it would decay it.
+  for (auto& parameter : network_->parameters()) parameter.mutable_grad() = torch::Tensor();
+  if (total.requires_grad()) {
+    total.backward();
+    torch::nn::utils::clip_grad_norm_(network_->parameters(), 5.0);
+    optimizer_.step();
+  }
   ++steps_done_;
   updateAverage(*average_, *network_, options_.averaging, steps_done_);
   return losses;

@@ -23,6 +23,7 @@ ConceptTrainingOptions smallOptions() {
   options.groups = 2;
   options.reconstructed_pairs = 2;
   options.reconstruction_start = 0.5;
+  options.encoder_share = 1;
   options.augmentation = {0, 0, 0, 0, 0, 0};
   return options;
 }
@@ -71,6 +72,23 @@ TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   const auto expected = tensorsOf(*whole.averaged(), ""), found = tensorsOf(*second.averaged(), "");
   for (const auto& [name, tensor] : expected)
     EXPECT_EQ(tensor.values, found.at(name).values) << name;
+}
+
+TEST(ConceptTrainer, KeepsTheEncoderWhileOnlyTheDecoderLearns) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.encoder_share = 0;
+  ConceptTrainer trainer(images, options);
+  const auto before = tensorsOf(*trainer.averaged(), "");
+  for (int i = 0; i < 3; ++i) trainer.step();
+  const auto after = tensorsOf(*trainer.averaged(), "");
+  std::size_t changed = 0;
+  for (const auto& [name, tensor] : before) {
+    const bool draws = name.starts_with("de") || name.starts_with("locator");
+    if (!draws) EXPECT_EQ(tensor.values, after.at(name).values) << name;
+    if (draws && tensor.values != after.at(name).values) ++changed;
+  }
+  EXPECT_GT(changed, 5U);
 }
 
 TEST(ConceptTrainer, RefusesACheckpointThatIsNone) {

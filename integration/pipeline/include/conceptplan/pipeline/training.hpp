@@ -12,8 +12,8 @@
 namespace conceptplan {
 
 /// The names of the training profiles: "cpu" is what two cores learn within an hour; "full-frame"
-/// the same with the paper's encoder; "fine-tune" a short run from another model; "smoke" trains
-/// nothing useful in seconds, for tests.
+/// the same with the paper's encoder; "fine-tune" a short run from another model; "redraw" the same
+/// for its decoder alone; "smoke" trains nothing useful in seconds, for tests.
 std::vector<std::string> trainingProfiles();
 
 struct TrainingOptions {

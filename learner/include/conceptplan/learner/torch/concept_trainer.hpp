@@ -17,10 +17,13 @@ namespace conceptplan {
 struct ConceptTrainingOptions {
   EncoderKind encoder = EncoderKind::kObjectCentred;
   std::int64_t steps = 4000;
-  std::int64_t groups = 24;               ///< anchor groups a step, seven images each
-  double learning_rate = 1.5e-3;          ///< of Adam, at its peak; cosine decay to a fiftieth
-  double warm_up = 0.03;                  ///< share of the steps in which the rate rises
-  double reconstruction_start = 0.45;     ///< share of the steps before the decoder joins
+  std::int64_t groups = 24;            ///< anchor groups a step, seven images each
+  double learning_rate = 1.5e-3;       ///< of Adam, at its peak; cosine decay to a fiftieth
+  double warm_up = 0.03;               ///< share of the steps in which the rate rises
+  double reconstruction_start = 0.45;  ///< share of the steps before the decoder joins
+  /// Share of the steps in which all is learned; in the rest the encoder is fixed, and the decoder
+  /// learns from pictures without augmentation.
+  double encoder_share = 0.85;
   std::int64_t reconstructed_pairs = 16;  ///< pairs a step that the decoder draws
   double foreground_weight = 10;
   double disentangling_weight = 1;    ///< of Eq. (2)
