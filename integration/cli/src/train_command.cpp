@@ -78,6 +78,10 @@ void addTrainCommand(CommandLine& line) {
   command.add_option("--model", training.model, "Folder of the model")
       ->required()
       ->type_name("DIR");
+  command
+      .add_option("--start-from", training.start_from,
+                  "Model whose concept network is trained on; a new one if left out")
+      ->type_name("DIR");
   std::string profiles;
   for (const std::string& profile : trainingProfiles()) {
     profiles += (profiles.empty() ? "" : "|") + profile;
