@@ -61,10 +61,11 @@ TEST(Augmentation, NeverColoursTheBackground) {
   for (int draw = 0; draw < 20; ++draw) {
     const EncoderInput varied =
         augmented(input.planes, input.location, input.planes, AugmentationOptions{}, generator);
-    for (std::size_t i = 0; i < kPixels; ++i)
-      if (varied.planes[4 * kPixels + i] == 0)
-        for (std::size_t channel = 0; channel < 4; ++channel)
-          ASSERT_EQ(varied.planes[channel * kPixels + i], 0);
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      if (varied.planes[4 * kPixels + i] != 0) continue;
+      for (std::size_t channel = 0; channel < 4; ++channel)
+        ASSERT_EQ(varied.planes[channel * kPixels + i], 0);
+    }
   }
 }
 

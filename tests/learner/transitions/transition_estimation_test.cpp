@@ -37,7 +37,7 @@ void expectTrueRules(const SymbolicModel& model, const Relabelling& labels, bool
         world.objects[0].rotation = rotation;
         const Surroundings here{model.grounding, labels.symbols(world.objects[0]), others};
         for (const Action action : kActions) {
-          const Outcome truth = applyAction(world, action);
+          const ActionOutcome truth = applyAction(world, action);
           const bool legal = model.transitions.isDefined(action, here) &&
                              model.legality.probability(action, here) > kThreshold;
           const bool known = with_moves || truth.obstruction != Obstruction::kCollision;
