@@ -1,7 +1,6 @@
 #include "conceptplan/learner/kmeans.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -36,7 +35,7 @@ TokenMatrix plusPlusStart(const TokenMatrix& points, Eigen::Index clusters,
 KMeansResult lloyd(const TokenMatrix& points, TokenMatrix centers, int max_iterations) {
   const Eigen::Index clusters = centers.rows();
   KMeansResult result;
-  double previous = std::numeric_limits<double>::infinity();
+  double previous = 0;
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const Eigen::MatrixXf distances = squaredDistances(points, centers);
     TokenMatrix sums = TokenMatrix::Zero(clusters, points.cols());
@@ -52,7 +51,7 @@ KMeansResult lloyd(const TokenMatrix& points, TokenMatrix centers, int max_itera
       if (const auto size = result.sizes[static_cast<std::size_t>(c)]; size > 0)
         centers.row(c) = sums.row(c) / static_cast<float>(size);
     result.inertia = total / static_cast<double>(points.rows());
-    if (previous - result.inertia <= 1e-6 * previous) break;
+    if (iteration > 0 && previous - result.inertia <= 1e-6 * previous) break;
     previous = result.inertia;
   }
   result.centers = std::move(centers);
