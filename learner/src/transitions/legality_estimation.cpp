@@ -10,6 +10,8 @@ namespace {
 
 /// Misreading never explains more than this share of the uses expected.
 constexpr double kMostMisread = 0.5;
+/// Where an action is legal it may yet be taken this many times less often than on average.
+constexpr double kUsesIfLegal = 0.5;
 
 double logLikelihood(double n, double total) { return n > 0 ? n * std::log(n / total) : 0; }
 
@@ -64,21 +66,62 @@ double misreadRate(const ContextFeature& feature,
   return 1 - x * x * y * y * (1 - misread_rate[index(Concept::kType)]);
 }
 
-/// Pr[a | value] with all actions weighed alike: the action's uses as a multiple of those expected
-/// if the feature meant nothing, over the same of all actions.
+/// What the steps at one value of a feature tell of one action.
+struct Use {
+  double expected = 0;  ///< uses, if the feature meant nothing
+  double uses = 0;      ///< less those that misreading explains
+};
+
+Use useOf(const UseTable& counts, std::size_t value, std::size_t action, double misread) {
+  if (counts.all_steps == 0) return {};
+  const double expected = counts.all_uses[action] / counts.all_steps * counts.steps[value];
+  return {expected, std::max(0.0, counts.uses[value][action] - misread * expected)};
+}
+
+/// The probability that the action is legal at a value where it was never taken.
+/// @param prior of values at which it is not legal.
+double legalThoughUnused(const Use& use, double prior) {
+  const double chance = (1 - prior) * std::exp(-kUsesIfLegal * use.expected);
+  return chance / (prior + chance);
+}
+
+/// The share of the values at which the action is not legal, from those that tell.
+double illegalShare(const std::vector<Use>& uses, double threshold) {
+  double used = 0;
+  double ruled_out = 0;
+  for (const Use& use : uses) {
+    if (use.uses > 0) used += 1;
+    if (use.uses == 0 && legalThoughUnused(use, 0.5) * ActionLegality::kPriorShare <= threshold) {
+      ruled_out += 1;
+    }
+  }
+  return (ruled_out + 0.5) / (ruled_out + used + 1);
+}
+
+/// Pr[a | value] with all actions weighed alike: the action's uses as a multiple of those expected,
+/// over the same of all actions; where it was never taken, the prior share times the probability
+/// that it is legal nevertheless.
 std::vector<double> shares(const UseTable& counts, Action action, double misread,
                            const TransitionEstimationOptions& options) {
+  std::vector<Use> uses;
+  for (std::size_t value = 0; value < counts.steps.size(); ++value) {
+    uses.push_back(useOf(counts, value, index(action), misread));
+  }
+  const double illegal = illegalShare(uses, options.legality_threshold);
   std::vector<double> share(counts.steps.size(), ActionLegality::kPriorShare);
   for (std::size_t value = 0; value < share.size(); ++value) {
-    std::array<double, kNumActions> multiple{};
-    for (std::size_t a = 0; a < kNumActions; ++a) {
-      const double expected =
-          counts.all_steps > 0 ? counts.all_uses[a] / counts.all_steps * counts.steps[value] : 0;
-      const double uses = std::max(0.0, counts.uses[value][a] - misread * expected);
-      multiple[a] = (uses + options.prior_uses) / (expected + options.prior_uses);
+    if (counts.steps[value] == 0) continue;
+    if (uses[value].uses == 0) {
+      share[value] *= legalThoughUnused(uses[value], illegal);
+      continue;
     }
-    const double all = std::accumulate(multiple.begin(), multiple.end(), 0.0);
-    share[value] = multiple[index(action)] / all;
+    const auto multiple = [&](std::size_t a) {
+      const Use use = useOf(counts, value, a, misread);
+      return (use.uses + options.prior_uses) / (use.expected + options.prior_uses);
+    };
+    double all = 0;
+    for (std::size_t a = 0; a < kNumActions; ++a) all += multiple(a);
+    share[value] = multiple(index(action)) / all;
   }
   return share;
 }

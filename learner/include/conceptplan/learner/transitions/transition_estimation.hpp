@@ -25,7 +25,7 @@ struct TransitionEstimationOptions {
   double misread_share = 0.25;
   /// Steps in which the symbol stays that are added to every context; >= 0.
   double stay_steps = 1;
-  /// Uses of the action, as many as expected, that are added to every context; > 0.
+  /// Uses of an action, as many as expected, that are added where it was taken; > 0.
   double prior_uses = 0.5;
   /// A context makes an action illegal below this Pr[a | Omega]; guides the selection of factors.
   double legality_threshold = 0.01;
@@ -52,7 +52,9 @@ struct TransitionEstimationOptions {
 /// Legality: Pr[a | value of a feature], with all actions weighed alike so that a rare one is not
 /// illegal for being rare. Factors are found by sequential covering: of the steps that no factor
 /// rules out yet, the feature with the highest BIC gain (a taken or not, a table against one
-/// share) that rules out some value is added. Candidates are the target's six symbols and the
+/// share) that rules out some value is added. A value at which the action was never taken is ruled
+/// out by how many uses were to be expected there, the more readily the more values of the feature
+/// are ruled out already (empirical Bayes). Candidates are the target's six symbols and the
 /// offset to the nearest object of each TYPE symbol. What was never seen stays legal, and so does
 /// every action where an object is absent: tasks without it may not have asked for the action.
 ///
