@@ -32,8 +32,9 @@ class ModelCommands : public ::testing::Test {
         train, [] { return std::filesystem::exists(root_ / "data/concepts-train"); });
     trained_ = runCommand(train);
     if (trained_.exit_code != 0) return;
+    const ModelManifest manifest = readModelManifest(model());
     writeSymbolicModel(root_ / "model" / kTransitionsFile, conceptplan::testing::learnedModel());
-    writeModelManifest(model(), readModelManifest(model()));
+    writeModelManifest(model(), manifest);
     for (const char* level : {"3", "4"}) {
       runCommand({"generate", "scenarios", "--level", level, "--count", "3", "--symbols-only",
                   "--model", model(), "--out", scenarios()});
@@ -277,6 +278,7 @@ TEST_F(ModelCommands, AFlippedByteInTheModelIsNamed) {
 TEST_F(ModelCommands, ValidateChecksTheModelAndItsSymbols) {
   EXPECT_EQ(runCommand({"validate", scenarios()}).exit_code, 0);
   const std::string text = readFile(root_ / "scenarios/level3-0001/scenario.yaml");
+  folder_.write("reference.yaml", readFile(root_ / "scenarios/level3-0001/reference.yaml"));
   std::string no_model = text;
   no_model.replace(no_model.find(model()), model().size(), "absent-model");
   const auto path = folder_.write("scenario.yaml", no_model);
