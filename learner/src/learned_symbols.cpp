@@ -16,24 +16,6 @@ NamedTensor vectorOf(const std::vector<int>& numbers) {
   return {{static_cast<std::int64_t>(numbers.size())}, {numbers.begin(), numbers.end()}};
 }
 
-std::string valueName(Concept which, int value) {
-  switch (which) {
-    case Concept::kType:
-      return std::string(name(static_cast<ObjectType>(value)));
-    case Concept::kPositionX:
-      return "column " + std::to_string(value);
-    case Concept::kPositionY:
-      return "row " + std::to_string(value);
-    case Concept::kRotation:
-      return std::to_string(90 * value) + " degrees";
-    case Concept::kColor:
-      return std::string(colorName(value));
-    case Concept::kSize:
-      return "size " + std::to_string(value + 1) + " of 4";
-  }
-  return "";
-}
-
 /// Reads tensors of one file and collects what is wrong with them.
 class TensorReader {
  public:
@@ -83,10 +65,11 @@ constexpr int kMostCells = 1000;  // columns or rows of a workbench
 
 std::array<std::vector<std::string>, kNumConcepts> symbolNames(
     const std::array<std::vector<int>, kNumConcepts>& values) {
+  const SymbolGrounding standard = standardGrounding();
   std::array<std::vector<std::string>, kNumConcepts> names;
   for (const Concept which : kConcepts)
     for (const int value : values[index(which)])
-      names[index(which)].push_back(valueName(which, value));
+      names[index(which)].push_back(standard.name(which, SymbolId{value}));
   return names;
 }
 

@@ -92,11 +92,13 @@ SymbolGrounding standardGrounding() {
   for (int row = 0; row < 5; ++row) {
     grounding.names[index(Concept::kPositionY)].push_back("row " + std::to_string(row));
   }
-  grounding.names[index(Concept::kRotation)] = {"0 deg", "90 deg", "180 deg", "270 deg"};
+  grounding.names[index(Concept::kRotation)] = {"0 degrees", "90 degrees", "180 degrees",
+                                                "270 degrees"};
   for (int color = 0; color < 6; ++color) {
     grounding.names[index(Concept::kColor)].emplace_back(colorName(color));
   }
-  grounding.names[index(Concept::kSize)] = {"small", "medium", "large", "largest"};
+  grounding.names[index(Concept::kSize)] = {"size 1 of 4", "size 2 of 4", "size 3 of 4",
+                                            "size 4 of 4"};
   return grounding;
 }
 

@@ -85,7 +85,7 @@ TEST(Report, TellsConfidenceAndTheSecondGuess) {
   report.problem.initial.objects[0][index(Concept::kRotation)] = {0.55, 0.45, 0, 0};
   const std::string page = renderReport(report);
   EXPECT_THAT(page, HasSubstr("55.0&nbsp;%"));
-  EXPECT_THAT(page, HasSubstr("or 90 deg 45.0&nbsp;%"));
+  EXPECT_THAT(page, HasSubstr("or 90 degrees 45.0&nbsp;%"));
 }
 
 TEST(Report, GroupsRejectionsByReason) {

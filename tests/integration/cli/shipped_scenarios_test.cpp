@@ -1,0 +1,53 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "domain/files/temporary_folder.hpp"
+#include "integration/cli/command_runner.hpp"
+
+namespace conceptplan::cli {
+namespace {
+
+using nlohmann::json;
+
+TEST(ShippedScenarios, AreValid) {
+  const CommandResult result = runCommand({"validate", CONCEPTPLAN_SCENARIOS});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+}
+
+TEST(ShippedScenarios, TheShippedModelSolvesAllThatHaveASolution) {
+  const CommandResult result = runCommand({"solve", CONCEPTPLAN_SCENARIOS, "--json"});
+  EXPECT_EQ(result.exit_code, 1) << result.error;  // one has none
+  std::map<std::string, int> kinds;
+  const json answer = json::parse(result.out);
+  for (const json& solved : answer["results"]) {
+    const std::string name =
+        std::filesystem::path(solved["scenario"].get<std::string>()).filename();
+    ++kinds[name.substr(0, name.find('-'))];
+    if (name.starts_with("infeasible")) {
+      EXPECT_EQ(solved["status"], "infeasible");
+    } else {
+      EXPECT_EQ(solved["status"], "solved") << name;
+      EXPECT_EQ(solved["evaluation"]["top1"], true) << name << ": " << solved["evaluation"];
+    }
+  }
+  for (const char* kind : {"level1", "level2", "level3", "level4"}) EXPECT_GE(kinds[kind], 3);
+  EXPECT_GE(kinds["infeasible"], 1);
+}
+
+TEST(ShippedModel, SolvesFromItsSymbols) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  const CommandResult made = runCommand(
+      {"generate", "scenarios", "--level", "4", "--count", "3", "--symbols-only", "--out", out});
+  ASSERT_EQ(made.exit_code, 0) << made.error;
+  const CommandResult result = runCommand({"solve", out, "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const json answer = json::parse(result.out);
+  for (const json& solved : answer["results"]) {
+    EXPECT_EQ(solved["evaluation"]["top1"], true) << solved;
+  }
+}
+
+}  // namespace
+}  // namespace conceptplan::cli
