@@ -98,6 +98,36 @@ bool ranksBefore(const Plan& a, const Plan& b) {
   return a.actions < b.actions;
 }
 
+/// The action sequences to judge exactly and rank: the best ones to different outcomes, if they are
+/// asked for, then the best ones.
+std::vector<ScoredSequence> candidates(const BeliefTask& task, const PlanQuery& query,
+                                       const BeliefPlannerOptions& options, SearchGuard& guard,
+                                       SearchStatistics& statistics) {
+  const StateBelief start = withoutImprobable(task.start, options.min_hypothesis);
+  BeliefSearchOptions search;
+  search.legality_threshold = options.legality_threshold;
+  search.discount = 1 - options.step_discount;
+  search.horizon = query.limits.horizon;
+  search.top = query.top;
+  search.ranking = options.ranking;
+  search.paths_per_belief = query.top;
+  const std::vector<ScoredSequence> paths =
+      bestSequences(task.graph, start, task.goal, search, guard, statistics);
+  if (options.alternatives == Alternatives::kPaths) return paths;
+
+  search.paths_per_belief = 1;
+  search.distinct_outcomes = true;
+  search.least_share = options.alternative_share;
+  const std::vector<ScoredSequence> outcomes =
+      bestSequences(task.graph, start, task.goal, search, guard, statistics);
+  std::vector<ScoredSequence> sequences;
+  // Outcomes found before a limit struck need not hold the best sequence.
+  if (guard.stopped()) addNew(sequences, paths, 1);
+  addNew(sequences, outcomes, query.top);
+  addNew(sequences, paths, query.top);
+  return sequences;
+}
+
 /// Whether the most probable symbols of the goal can be reached from those of the start under some
 /// reading of the other objects.
 bool isGoalInReach(const SymbolGraph& graph, double threshold, std::size_t horizon) {
@@ -128,7 +158,6 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
       hard ? only(graph, graph.mostProbableStart()) : startBelief(graph, graph.initialBelief()),
       hard ? only(graph, graph.mostProbableGoal()) : graph.stateBelief(graph.problem().goal),
       options_.legality_threshold};
-  const StateBelief likely_start = withoutImprobable(task.start, options_.min_hypothesis);
   const double discount = 1 - options_.step_discount;
   const std::string mismatch = frozenMismatch(graph);
   const double frozen = hard && !mismatch.empty() ? 0 : graph.frozenAgreement();
@@ -136,33 +165,12 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   PlanResult result;
   SearchGuard guard(query.limits);
   std::vector<ScoredSequence> sequences;
-  if (frozen > 0) {
-    BeliefSearchOptions search;
-    search.legality_threshold = options_.legality_threshold;
-    search.discount = discount;
-    search.horizon = query.limits.horizon;
-    search.top = query.top;
-    search.ranking = options_.ranking;
-    search.distinct_outcomes = true;
-    search.least_share = options_.alternative_share;
-    if (options_.alternatives == Alternatives::kOutcomes) {
-      sequences = bestSequences(graph, likely_start, task.goal, search, guard, result.statistics);
-    }
-    search.distinct_outcomes = false;
-    search.least_share = 0;
-    search.paths_per_belief = query.top;
-    if (sequences.size() < search.top) {
-      addNew(sequences,
-             bestSequences(graph, likely_start, task.goal, search, guard, result.statistics),
-             search.top);
-    }
-  }
+  if (frozen > 0) sequences = candidates(task, query, options_, guard, result.statistics);
   for (const ScoredSequence& sequence : sequences) {
     Plan plan = judged(task, sequence.actions, options_.ranking, discount);
     if (plan.probability > 0) result.plans.push_back(std::move(plan));
   }
   std::sort(result.plans.begin(), result.plans.end(), ranksBefore);
-  if (result.plans.size() > query.top) result.plans.resize(query.top);
 
   const bool goal_in_reach =
       mismatch.empty() && isGoalInReach(graph, options_.legality_threshold, query.limits.horizon);
@@ -171,9 +179,10 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
                                    ? "no legal and valid steps lead to the goal within " +
                                          std::to_string(query.limits.horizon) + " actions"
                                    : mismatch;
-  if (best > 0 && (goal_in_reach || best >= options_.min_probability)) {
+  const bool is_proved = goal_in_reach && !guard.stopped();
+  if (best > 0 && (is_proved || best >= options_.min_probability)) {
     result.status = PlanStatus::kSolved;
-    result.reason = guard.reason();
+    if (guard.stopped()) result.reason = guard.reason() + "; the best plans found so far";
     if (!goal_in_reach) {
       result.reason = obstacle + "; planned for a less probable reading of the pictures";
     }

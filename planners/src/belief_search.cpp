@@ -85,6 +85,7 @@ class BeliefSearch {
       ++visits_[belief];
       expand(entry.node, statistics);
     }
+    if (guard.stopped()) takeBestSoFar(found);
     return found;
   }
 
@@ -112,6 +113,13 @@ class BeliefSearch {
       return node > other.node;
     }
   };
+
+  /// Adds the sequences that were reached but not proved to be next.
+  void takeBestSoFar(std::vector<ScoredSequence>& found) {
+    for (; !queue_.empty() && found.size() < options_.top; queue_.pop()) {
+      if (queue_.top().is_end) accept(queue_.top(), found);
+    }
+  }
 
   void touch(StateId state, double mass) {
     if (dense_[index(state)] == 0) touched_.push_back(state);

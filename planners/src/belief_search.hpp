@@ -36,6 +36,7 @@ struct BeliefSearchOptions {
 /// kConditional scaling may leave any one state, so the bound is the best goal that any state of
 /// the belief leads to. Sequences that lead to the same belief share its node, since the rest of
 /// their score is the same; actions that leave the belief as it is are not taken.
+/// Once a limit strikes, the best sequences found so far follow, unproved.
 /// @param start a measure over states; what it leaves out is not searched for.
 std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const StateBelief& start,
                                           const StateBelief& goal,

@@ -78,12 +78,45 @@ void markChangeable(const SymbolicModel& model, Surroundings surroundings, doubl
   }
 }
 
+/// Asks a validity check once for all states that agree in the concepts on which it depends.
+class CachedValidity {
+ public:
+  /// Keeps references; `among` gives what stands for the other concepts, and the other objects.
+  CachedValidity(const StateValidity& validity, const Workbench& workbench,
+                 const Surroundings& among)
+      : validity_(validity),
+        workbench_(workbench),
+        among_(among),
+        relevant_(validity.dependsOn()) {}
+
+  const Verdict& check(Symbols target) {
+    for (std::size_t k = 0; k < kNumConcepts; ++k) {
+      if (!relevant_[k]) target[k] = among_.target[k];
+    }
+    const auto [entry, is_new] = known_.try_emplace(target);
+    if (is_new) {
+      entry->second = validity_.check(workbench_, among_.grounding, target, among_.others);
+    }
+    return entry->second;
+  }
+
+  std::size_t checks() const { return known_.size(); }
+
+ private:
+  const StateValidity& validity_;
+  const Workbench& workbench_;
+  const Surroundings& among_;
+  std::array<bool, kNumConcepts> relevant_;
+  std::map<Symbols, Verdict> known_;
+};
+
 /// The next states of one action: the product of the effects on the single concepts.
+/// @param first_state state of the reading whose concepts are all 0.
 std::vector<Transition> jointTransitions(const SymbolicModel& model, Action action,
                                          const Surroundings& surroundings,
                                          const std::array<std::size_t, kNumConcepts>& stride,
-                                         double min_share) {
-  std::vector<Transition> joint{{StateId{0}, 1, 0}};
+                                         std::size_t first_state, double min_share) {
+  std::vector<Transition> joint{{static_cast<StateId>(first_state), 1, 0}};
   for (const Concept which : kConcepts) {
     if (stride[index(which)] == 0) continue;
     const std::vector<double> next = model.transitions.distribution(action, which, surroundings);
@@ -175,38 +208,25 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
     }
   }
 
-  const std::array<bool, kNumConcepts> relevant = validity.dependsOn();
-  graph.legality_.reserve(readings.size() * states * kNumActions);
-  graph.first_transition_.reserve(readings.size() * states * kNumActions + 1);
-  for (std::size_t reading = 0; reading < readings.size(); ++reading) {
-    const std::vector<Symbols>& others = readings[reading].others;
-    std::map<Symbols, Verdict> known;
+  for (const SceneReading& reading : readings) {
+    const Surroundings among{model.grounding, graph.frozen_, reading.others};
+    const std::size_t first_state = graph.verdicts_.size();
+    CachedValidity cached(validity, problem.initial.workbench, among);
     for (std::size_t i = 0; i < states; ++i) {
-      const Symbols symbols = graph.symbols(static_cast<StateId>(i));
-      Symbols key = symbols;
-      for (std::size_t k = 0; k < kNumConcepts; ++k) {
-        if (!relevant[k]) key[k] = graph.frozen_[k];
-      }
-      const auto [entry, is_new] = known.try_emplace(key);
-      if (is_new) {
-        entry->second = validity.check(problem.initial.workbench, model.grounding, key, others);
-        ++graph.validity_checks_;
-      }
-      graph.verdicts_.push_back(entry->second);
-
-      const Surroundings surroundings{model.grounding, symbols, others};
+      Surroundings here = among;
+      here.target = graph.symbols(static_cast<StateId>(i));
+      graph.verdicts_.push_back(cached.check(here.target));
       for (const Action action : kActions) {
-        const bool defined = model.transitions.isDefined(action, surroundings);
-        graph.legality_.push_back(defined ? model.legality.probability(action, surroundings) : 0);
+        const bool defined = model.transitions.isDefined(action, here);
+        graph.legality_.push_back(defined ? model.legality.probability(action, here) : 0);
         graph.first_transition_.push_back(graph.transitions_.size());
-        const std::vector<Transition> next =
-            jointTransitions(model, action, surroundings, graph.stride_, options.min_share);
-        for (Transition transition : next) {
-          transition.state = static_cast<StateId>(index(transition.state) + reading * states);
+        for (const Transition& transition :
+             jointTransitions(model, action, here, graph.stride_, first_state, options.min_share)) {
           graph.transitions_.push_back(transition);
         }
       }
     }
+    graph.validity_checks_ += cached.checks();
   }
   graph.first_transition_.push_back(graph.transitions_.size());
   return graph;

@@ -283,6 +283,17 @@ TEST(BeliefPlanner, PredictsTheMostProbableSymbolsAfterEachStep) {
               ElementsAre(tinySymbols(0, 1, 0, 0), tinySymbols(0, 0, 0, 0)));
 }
 
+TEST(BeliefPlanner, ALimitLeavesTheBestPlansFoundSoFar) {
+  PlanQuery wanted = query(5);
+  wanted.limits.max_expansions = 12;
+  const PlanResult result =
+      BeliefPlanner().solve(compile(tinyModel(), unclearProblem(), GridValidity()), wanted);
+  ASSERT_EQ(result.status, PlanStatus::kSolved);
+  EXPECT_THAT(result.plans, ::testing::Not(IsEmpty()));
+  EXPECT_GT(result.plans.front().probability, 0.1);
+  EXPECT_EQ(result.reason, "stopped at the limit of 12 expansions; the best plans found so far");
+}
+
 TEST(BeliefPlanner, RefusesOptionsOutOfRange) {
   BeliefPlannerOptions options;
   options.step_discount = 0.7;

@@ -69,7 +69,7 @@ TEST(TransitionEstimation, LearnsTheRulesFromTrueSymbols) {
 
 TEST(TransitionEstimation, LearnsTheRulesFromFewTasks) {
   const Relabelling labels(2);
-  expectTrueRules(learned(labels, 300, 0), labels, false);
+  expectTrueRules(learned(labels, 240, 0), labels, false);
 }
 
 TEST(TransitionEstimation, LearnsTheRulesWithThreePercentOfTheSymbolsMisread) {

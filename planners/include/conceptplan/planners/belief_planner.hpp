@@ -26,7 +26,8 @@ struct BeliefPlannerOptions {
   Ranking ranking = Ranking::kJoint;
   Alternatives alternatives = Alternatives::kOutcomes;
   /// A step more must raise the probability by this share, else the shorter plan ranks first.
-  double step_discount = 0.01;    ///< in [0, 0.5]
+  double step_discount = 0.01;  ///< in [0, 0.5]
+  /// Also of a plan that was found before a limit struck and not proved best.
   double min_probability = 1e-3;  ///< of a plan where the most probable goal is out of reach
   double min_hypothesis = 1e-4;   ///< start states less probable do not guide the search
   /// Kind kOutcomes: another outcome with less than this share of the best plan's probability

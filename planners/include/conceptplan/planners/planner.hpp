@@ -11,7 +11,7 @@ namespace conceptplan {
 
 struct SearchLimits {
   double timeout_s = 10;  ///< > 0; results depend on the machine once it strikes
-  std::size_t max_expansions = 200'000;
+  std::size_t max_expansions = 20'000;
   std::size_t horizon = 24;                   ///< longest plan, in actions
   const std::atomic<bool>* cancel = nullptr;  ///< the search ends soon after it turns true
 };
