@@ -31,7 +31,7 @@ bool trainConcepts(const Run& run, ModelManifest&) {
                                   {"location", losses.location}}
         .dump();
   };
-  if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, run.profile.concepts.steps, describe))
+  if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, trainer.stepsInAll(), describe))
     return false;
   writeFileAtomically(
       run.options.model / kConceptsFile,

@@ -22,32 +22,14 @@ Profile cpuProfile() {
   return profile;
 }
 
-Profile fullFrameProfile() {
+Profile paperProfile() {
   Profile profile = cpuProfile();
-  profile.name = "full-frame";
+  profile.name = "paper";
   profile.concepts.encoder = EncoderKind::kFullFrame;
   profile.concepts.groups = 8;
-  return profile;
-}
-
-Profile fineTuneProfile() {
-  Profile profile = cpuProfile();
-  profile.name = "fine-tune";
-  profile.concepts.steps = 450;
-  profile.concepts.reconstruction_start = 0.67;
-  profile.concepts.confidence_weight = 0.6;
-  profile.concepts.averaging = 0.99;
-  profile.vict.synthesis_steps = 2000;
-  return profile;
-}
-
-Profile redrawProfile() {
-  Profile profile = cpuProfile();
-  profile.name = "redraw";
-  profile.concepts.steps = 500;
-  profile.concepts.encoder_share = 0;
-  profile.concepts.learning_rate = 1e-3;
-  profile.concepts.averaging = 0.99;
+  profile.concepts.reconstruction_start = 0;
+  profile.concepts.decoder_steps = 0;
+  profile.concepts.learning_rate = 3e-4;
   return profile;
 }
 
@@ -57,8 +39,10 @@ Profile smokeProfile() {
   profile.concept_samples = 1;
   profile.tasks_per_level = 2;
   profile.symbol_images = 400;
-  profile.concepts.steps = 4;
+  profile.concepts.encoder_steps = 3;
+  profile.concepts.decoder_steps = 1;
   profile.concepts.groups = 2;
+  profile.concepts.decoder_groups = 1;
   profile.concepts.reconstructed_pairs = 2;
   profile.vict.transition_steps = 4;
   profile.vict.transition_batch = 8;
@@ -91,10 +75,10 @@ bool complete(const std::filesystem::path& folder) {
 }  // namespace
 
 Profile profileNamed(const std::string& name) {
-  for (Profile profile :
-       {cpuProfile(), fullFrameProfile(), fineTuneProfile(), redrawProfile(), smokeProfile()})
+  for (Profile profile : {cpuProfile(), paperProfile(), smokeProfile()})
     if (profile.name == name) return profile;
-  std::vector<std::string_view> known{"cpu", "full-frame", "fine-tune", "redraw", "smoke"};
+  const std::vector<std::string> profiles = trainingProfiles();
+  const std::vector<std::string_view> known(profiles.begin(), profiles.end());
   throw InputError({{"--profile", std::nullopt, std::nullopt, "",
                      "unknown profile \"" + name + "\"" + didYouMean(name, known)}});
 }
@@ -144,9 +128,7 @@ std::optional<TaskDataset> taskData(const Run& run) {
 
 }  // namespace training
 
-std::vector<std::string> trainingProfiles() {
-  return {"cpu", "full-frame", "fine-tune", "redraw", "smoke"};
-}
+std::vector<std::string> trainingProfiles() { return {"cpu", "paper", "smoke"}; }
 
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control) {

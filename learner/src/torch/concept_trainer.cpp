@@ -14,12 +14,13 @@ namespace {
 
 constexpr std::int64_t kGroupImages = 1 + static_cast<std::int64_t>(kNumConcepts);
 
-constexpr AugmentationOptions kNoAugmentation{0, 0, 0, 0, 0, 0};
+constexpr AugmentationOptions kNoAugmentation{0, 0, 0, 0, 0, 0, 0};
 
 /// One batch of anchor groups.
 struct AnchorBatch {
   EncoderBatch images;    // G * 7
   torch::Tensor differs;  // [G, 6]: whether partner k differs in concept k
+  torch::Tensor pairs;    // [P, 2]: group and concept of each partner that differs
 };
 
 AnchorBatch drawBatch(const ConceptImages& images, const AnchorSampler& sampler,
@@ -37,7 +38,43 @@ AnchorBatch drawBatch(const ConceptImages& images, const AnchorSampler& sampler,
                                  images.planes(occluder), augmentation, generator));
     }
   }
-  return {encoderBatch(inputs), differs};
+  return {encoderBatch(inputs), differs, differs.nonzero()};
+}
+
+/// The terms of Eq. (3) that the decoder learns from, on `most` pairs drawn from a batch: the
+/// anchor from its own tokens, the partner from the anchor's tokens with one substituted, Eq. (1),
+/// and the direct branch from the anchor's latent embedding. @returns their weighted sum.
+torch::Tensor drawingLoss(ConceptNetwork& network, const AnchorBatch& batch, const torch::Tensor& z,
+                          const torch::Tensor& tokens, const ConceptTrainingOptions& options,
+                          std::mt19937_64& generator, ConceptLosses& losses) {
+  if (batch.pairs.size(0) == 0) return torch::zeros({});
+  std::vector<std::int64_t> order(static_cast<std::size_t>(batch.pairs.size(0)));
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), generator);
+  const auto drawn_pairs =
+      batch.pairs.index({torch::tensor(order).slice(0, 0, options.reconstructed_pairs)});
+  const auto first = drawn_pairs.select(1, 0) * kGroupImages;
+  const auto second = first + drawn_pairs.select(1, 1) + 1;
+  const auto one_hot =
+      torch::one_hot(drawn_pairs.select(1, 1), static_cast<std::int64_t>(kNumConcepts))
+          .to(torch::kBool)
+          .unsqueeze(-1);
+  const auto substituted = torch::where(one_hot, tokens.index({second}), tokens.index({first}));
+  const auto both = torch::cat({tokens.index({first}), substituted});
+  const auto targets = torch::cat({first, second});
+  const auto crops = batch.images.bytes.index({targets}).to(torch::kFloat) / 255.0;
+  const auto rgb = crops.slice(1, 0, 3), mask = crops.slice(1, 4, 5);
+  const auto reconstruction = 2 * reconstructionLoss(network->decode(network->detokenize(both)),
+                                                     rgb, mask, options.foreground_weight);
+  const auto half = first.size(0);
+  const auto direct = reconstructionLoss(network->decode(z.index({first})), rgb.slice(0, 0, half),
+                                         mask.slice(0, 0, half), options.foreground_weight);
+  const auto location =
+      torch::smooth_l1_loss(network->locate(both), batch.images.location.index({targets}), 1, 0.05);
+  losses.reconstruction = reconstruction.item<double>();
+  losses.direct = direct.item<double>();
+  losses.location = location.item<double>();
+  return options.reconstruction_weight * (reconstruction + direct) + location;
 }
 
 /// A fresh network whose weights depend on the seed alone.
@@ -66,25 +103,30 @@ void ConceptTrainer::startFrom(const NamedTensors& tensors, const std::filesyste
 
 ConceptLosses ConceptTrainer::step() {
   auto generator = stepGenerator(options_.seed, steps_done_);
-  const bool encoder_fixed = static_cast<double>(steps_done_) >=
-                             options_.encoder_share * static_cast<double>(options_.steps);
+  // The second phase draws from the tokens of the network that is kept.
+  if (steps_done_ == options_.encoder_steps) copyParameters(*network_, *average_);
+  const ConceptLosses losses =
+      steps_done_ < options_.encoder_steps ? encoderStep(generator) : decoderStep(generator);
+  ++steps_done_;
+  updateAverage(*average_, *network_, options_.averaging, steps_done_);
+  return losses;
+}
+
+ConceptLosses ConceptTrainer::encoderStep(std::mt19937_64& generator) {
   const AnchorBatch batch =
-      drawBatch(images_, sampler_, options_.groups,
-                encoder_fixed ? kNoAugmentation : options_.augmentation, generator);
-  const bool gradients = torch::GradMode::is_enabled();
-  torch::GradMode::set_enabled(gradients && !encoder_fixed);
-  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
-  const auto z = network_->encode(planes);
+      drawBatch(images_, sampler_, options_.groups, options_.augmentation, generator);
+  const auto z =
+      network_->encode(encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder));
   const auto tokens = network_->tokenize(z, batch.images.location);
   const auto groups = tokens.view({options_.groups, kGroupImages, kNumConcepts, kTokenWidth});
+  const double progress =
+      static_cast<double>(steps_done_) / static_cast<double>(options_.encoder_steps);
 
   ConceptLosses losses;
   // Eq. (2) on each anchor and its partners that differ from it.
-  const auto pairs = batch.differs.nonzero();  // [P, 2]: group, concept
-  const auto anchors = groups.index({pairs.select(1, 0), 0});
-  const auto partners = groups.index({pairs.select(1, 0), pairs.select(1, 1) + 1});
-  const auto disentangling =
-      conceptDisentanglingLoss(anchors, partners, pairs.select(1, 1).contiguous());
+  const auto group = batch.pairs.select(1, 0), differing = batch.pairs.select(1, 1);
+  const auto disentangling = conceptDisentanglingLoss(
+      groups.index({group, 0}), groups.index({group, differing + 1}), differing.contiguous());
   auto pair = torch::zeros({});
   auto use = torch::zeros({});
   auto confidence = torch::zeros({});
@@ -96,67 +138,45 @@ ConceptLosses ConceptTrainer::step() {
     use = use + prototypeUseLoss(values);
     confidence = confidence + prototypeEntropy(values);
   }
-  auto total = options_.disentangling_weight * disentangling + options_.pair_weight * pair +
-               options_.use_weight * use + options_.confidence_weight * confidence;
   losses.disentangling = disentangling.item<double>();
   losses.pair = pair.item<double>();
   losses.use = use.item<double>();
   losses.confidence = confidence.item<double>();
+  auto total = options_.disentangling_weight * disentangling + options_.pair_weight * pair +
+               options_.use_weight * use + options_.confidence_weight * progress * confidence;
+  if (progress >= options_.reconstruction_start)
+    total = total + drawingLoss(network_, batch, z, tokens, options_, generator, losses);
+  descend(total, progress);
+  return losses;
+}
 
-  torch::GradMode::set_enabled(gradients);
-  if (encoder_fixed) total = torch::zeros({});
-
-  const auto reconstruction_from = static_cast<std::int64_t>(options_.reconstruction_start *
-                                                             static_cast<double>(options_.steps));
-  if ((encoder_fixed || steps_done_ >= reconstruction_from) && pairs.size(0) > 0) {
-    // Eq. (1): the anchor from its own tokens, the partner from the anchor's tokens with one
-    // substituted; and the direct branch of Eq. (3) from the anchor's latent embedding.
-    std::vector<std::int64_t> order(static_cast<std::size_t>(pairs.size(0)));
-    std::iota(order.begin(), order.end(), 0);
-    std::shuffle(order.begin(), order.end(), generator);
-    const auto drawn_pairs =
-        pairs.index({torch::tensor(order).slice(0, 0, options_.reconstructed_pairs)});
-    const auto first = drawn_pairs.select(1, 0) * kGroupImages;
-    const auto second = first + drawn_pairs.select(1, 1) + 1;
-    auto substituted = tokens.index({first});
-    const auto one_hot =
-        torch::one_hot(drawn_pairs.select(1, 1), static_cast<std::int64_t>(kNumConcepts))
-            .to(torch::kBool)
-            .unsqueeze(-1);
-    substituted = torch::where(one_hot, tokens.index({second}), substituted);
-    const auto both = torch::cat({tokens.index({first}), substituted});
-    const auto targets = torch::cat({first, second});
-    const auto crops = batch.images.bytes.index({targets}).to(torch::kFloat) / 255.0;
-    const auto rgb = crops.slice(1, 0, 3), mask = crops.slice(1, 4, 5);
-    const auto reconstruction = 2 * reconstructionLoss(network_->decode(network_->detokenize(both)),
-                                                       rgb, mask, options_.foreground_weight);
-    const auto half = first.size(0);
-    const auto direct =
-        reconstructionLoss(network_->decode(z.index({first})), rgb.slice(0, 0, half),
-                           mask.slice(0, 0, half), options_.foreground_weight);
-    const auto location = torch::smooth_l1_loss(network_->locate(both),
-                                                batch.images.location.index({targets}), 1, 0.05);
-    total = total + options_.reconstruction_weight * (reconstruction + direct) + location;
-    losses.reconstruction = reconstruction.item<double>();
-    losses.direct = direct.item<double>();
-    losses.location = location.item<double>();
+ConceptLosses ConceptTrainer::decoderStep(std::mt19937_64& generator) {
+  const AnchorBatch batch =
+      drawBatch(images_, sampler_, options_.decoder_groups, kNoAugmentation, generator);
+  torch::Tensor z, tokens;
+  {
+    const torch::NoGradGuard fixed;
+    z = network_->encode(
+        encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder));
+    tokens = network_->tokenize(z, batch.images.location);
   }
+  ConceptLosses losses;
+  const auto total = drawingLoss(network_, batch, z, tokens, options_, generator, losses);
+  descend(total, static_cast<double>(steps_done_ - options_.encoder_steps) /
+                     static_cast<double>(options_.decoder_steps));
+  return losses;
+}
 
-  for (auto& group : optimizer_.param_groups())
-    static_cast<torch::optim::AdamWOptions&>(group.options())
-        .lr(options_.learning_rate * learningRateShare(static_cast<double>(steps_done_) /
-                                                           static_cast<double>(options_.steps),
-                                                       options_.warm_up));
+void ConceptTrainer::descend(const torch::Tensor& loss, double progress) {
   // Without a gradient the optimizer leaves a parameter alone; with one of zero it would decay it.
   for (auto& parameter : network_->parameters()) parameter.mutable_grad() = torch::Tensor();
-  if (total.requires_grad()) {
-    total.backward();
-    torch::nn::utils::clip_grad_norm_(network_->parameters(), 5.0);
-    optimizer_.step();
-  }
-  ++steps_done_;
-  updateAverage(*average_, *network_, options_.averaging, steps_done_);
-  return losses;
+  if (!loss.requires_grad()) return;
+  for (auto& group : optimizer_.param_groups())
+    static_cast<torch::optim::AdamWOptions&>(group.options())
+        .lr(options_.learning_rate * learningRateShare(progress, options_.warm_up));
+  loss.backward();
+  torch::nn::utils::clip_grad_norm_(network_->parameters(), 5.0);
+  optimizer_.step();
 }
 
 ConceptNetwork ConceptTrainer::averaged() const {

@@ -31,6 +31,11 @@ std::uint8_t toByte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
+void erase(EncoderInput& input, int pixel) {
+  for (int channel = 0; channel < EncoderInput::kChannels; ++channel)
+    input.planes[channel * kPixels + pixel] = 0;
+}
+
 /// Hides what an object one row nearer to the camera would hide. Nothing if too little remained.
 void occlude(EncoderInput& input, std::span<const std::uint8_t> occluder,
              std::mt19937_64& generator) {
@@ -54,9 +59,23 @@ void occlude(EncoderInput& input, std::span<const std::uint8_t> occluder,
     }
   if (visible < kLeastVisible * static_cast<double>(visible + static_cast<int>(hidden.size())))
     return;
-  for (const int pixel : hidden)
-    for (int channel = 0; channel < EncoderInput::kChannels; ++channel)
-      input.planes[channel * kPixels + pixel] = 0;
+  for (const int pixel : hidden) erase(input, pixel);
+}
+
+/// Takes from the object half of the pixels along its outline, as an inexact mask would.
+void fray(EncoderInput& input, std::mt19937_64& generator) {
+  const auto outside = [&](int x, int y) {
+    return x < 0 || x >= kEdge || y < 0 || y >= kEdge ||
+           input.planes[kMaskPlane * kPixels + y * kEdge + x] == 0;
+  };
+  std::vector<int> lost;
+  for (int y = 0; y < kEdge; ++y)
+    for (int x = 0; x < kEdge; ++x)
+      if (!outside(x, y) &&
+          (outside(x - 1, y) || outside(x + 1, y) || outside(x, y - 1) || outside(x, y + 1)) &&
+          uniform(generator, 0, 1) < 0.5)
+        lost.push_back(y * kEdge + x);
+  for (const int pixel : lost) erase(input, pixel);
 }
 
 /// Moves the picture so that the bounding box of the mask is centred, off by (error_x, error_y).
@@ -136,6 +155,7 @@ EncoderInput augmented(std::span<const std::uint8_t> planes, const std::array<fl
     occlude(input, occluder, generator);
     recentreDepth(input);
   }
+  if (uniform(generator, 0, 1) < options.mask_noise) fray(input, generator);
   recentre(input, uniformInt(generator, -options.shift_px, options.shift_px),
            uniformInt(generator, -options.shift_px, options.shift_px));
   relight(input, options, generator);

@@ -19,12 +19,13 @@ ConceptImages twoConcepts() {
 
 ConceptTrainingOptions smallOptions() {
   ConceptTrainingOptions options;
-  options.steps = 60;
+  options.encoder_steps = 60;
+  options.decoder_steps = 0;
   options.groups = 2;
+  options.decoder_groups = 1;
   options.reconstructed_pairs = 2;
   options.reconstruction_start = 0.5;
-  options.encoder_share = 1;
-  options.augmentation = {0, 0, 0, 0, 0, 0};
+  options.augmentation = {0, 0, 0, 0, 0, 0, 0};
   return options;
 }
 
@@ -38,14 +39,14 @@ TEST(ConceptTrainer, Eq3FallsOnOneBatch) {
   };
   const double before = total(trainer.step());
   double after = 0;
-  while (trainer.stepsDone() < options.steps) after = total(trainer.step());
+  while (trainer.stepsDone() < options.encoder_steps) after = total(trainer.step());
   EXPECT_LT(after, 0.4 * before);
 }
 
 TEST(ConceptTrainer, TheDecoderJoinsWhenItShould) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
-  options.steps = 4;
+  options.encoder_steps = 4;
   ConceptTrainer trainer(images, options);
   EXPECT_EQ(trainer.step().reconstruction, 0);
   EXPECT_EQ(trainer.step().reconstruction, 0);
@@ -55,7 +56,8 @@ TEST(ConceptTrainer, TheDecoderJoinsWhenItShould) {
 TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
-  options.steps = 6;
+  options.encoder_steps = 3;
+  options.decoder_steps = 3;
   ConceptTrainer whole(images, options);
   for (int i = 0; i < 6; ++i) whole.step();
 
@@ -77,7 +79,8 @@ TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
 TEST(ConceptTrainer, KeepsTheEncoderWhileOnlyTheDecoderLearns) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
-  options.encoder_share = 0;
+  options.encoder_steps = 0;
+  options.decoder_steps = 60;
   ConceptTrainer trainer(images, options);
   const auto before = tensorsOf(*trainer.averaged(), "");
   for (int i = 0; i < 3; ++i) trainer.step();

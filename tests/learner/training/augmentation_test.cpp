@@ -15,7 +15,7 @@ std::ptrdiff_t visible(const EncoderInput& input) {
   return std::count(input.planes.begin() + 4 * kPixels, input.planes.end(), 255);
 }
 
-const AugmentationOptions kNothing{0, 0, 0, 0, 0, 0};
+const AugmentationOptions kNothing{0, 0, 0, 0, 0, 0, 0};
 
 TEST(Augmentation, WithNothingToVaryKeepsTheImage) {
   const EncoderInput input = encoderInput(coloredBlob(2));
@@ -41,6 +41,19 @@ TEST(Augmentation, OcclusionHidesAPartAndKeepsAtLeastTwoFifths) {
     EXPECT_GE(visible(varied), 2 * visible(input) / 5 - 1);
   }
   EXPECT_TRUE(hidden);
+}
+
+TEST(Augmentation, MaskNoiseTakesPixelsFromTheOutlineAlone) {
+  const EncoderInput input = encoderInput(coloredBlob(2, 18));
+  AugmentationOptions options = kNothing;
+  options.mask_noise = 1;
+  std::mt19937_64 first(1), second(1);
+  const EncoderInput whole = augmented(input.planes, input.location, input.planes, kNothing, first);
+  const EncoderInput frayed =
+      augmented(input.planes, input.location, input.planes, options, second);
+  const auto lost = visible(whole) - visible(frayed);
+  EXPECT_GT(lost, 10);
+  EXPECT_LT(lost, 4 * 2 * 18);  // no more than the outline of a box around it
 }
 
 TEST(Augmentation, SameGeneratorSameImage) {

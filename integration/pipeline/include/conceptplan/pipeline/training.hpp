@@ -11,9 +11,9 @@
 
 namespace conceptplan {
 
-/// The names of the training profiles: "cpu" is what two cores learn within an hour; "full-frame"
-/// the same with the paper's encoder; "fine-tune" a short run from another model; "redraw" the same
-/// for its decoder alone; "smoke" trains nothing useful in seconds, for tests.
+/// The names of the training profiles: "cpu" is what two cores learn within an hour; "paper" the
+/// paper's encoder of whole frames, its losses joined from the start, at its learning rate; "smoke"
+/// trains nothing useful in seconds, for tests.
 std::vector<std::string> trainingProfiles();
 
 struct TrainingOptions {

@@ -12,6 +12,7 @@ namespace conceptplan {
 /// How training images are varied beyond what was rendered.
 struct AugmentationOptions {
   double occlusion = 0.35;     ///< share of images with a part hidden by another object
+  double mask_noise = 0.2;     ///< share of images whose outline loses pixels
   double shadow = 0.25;        ///< share of images with a shadow edge across the object
   double gain = 0.12;          ///< largest relative change of brightness
   double channel_gain = 0.05;  ///< largest relative change of each colour channel
