@@ -11,6 +11,7 @@ namespace {
 constexpr float kDepthLevel_m = 0.001F;
 constexpr float kDepthOrigin_m = 2.0F;
 constexpr float kDepthUnit_m = 0.5F;
+constexpr float kDepthMiddle = 128.0F;
 
 float medianDepth(const ObjectCrop& crop) {
   std::vector<float> depths;
@@ -23,6 +24,10 @@ float medianDepth(const ObjectCrop& crop) {
 }
 
 }  // namespace
+
+float depthOf(const std::array<float, 3>& location, float level) {
+  return kDepthOrigin_m + kDepthUnit_m * location[2] + kDepthLevel_m * (level - kDepthMiddle);
+}
 
 EncoderInput encoderInput(const ObjectCrop& crop) {
   constexpr std::size_t kPixels = EncoderInput::kPixels;
@@ -42,7 +47,7 @@ EncoderInput encoderInput(const ObjectCrop& crop) {
       input.planes[channel * kPixels + i] = crop.rgb[3 * i + channel];
     const float relative = crop.depth_m[i] > 0 ? (crop.depth_m[i] - median) / kDepthLevel_m : 0.0F;
     input.planes[3 * kPixels + i] =
-        static_cast<std::uint8_t>(std::lround(std::clamp(128.0F + relative, 1.0F, 255.0F)));
+        static_cast<std::uint8_t>(std::lround(std::clamp(kDepthMiddle + relative, 1.0F, 255.0F)));
     input.planes[4 * kPixels + i] = 255;
   }
   constexpr float kHalf = ObjectCrop::kEdge / 2.0F;

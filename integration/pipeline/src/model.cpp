@@ -119,11 +119,7 @@ std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& pe
             symbolizer.clusters(which).centers.row(static_cast<Eigen::Index>(index(symbols[k])));
     }
     const DrawnObject drawn = parts_->learner.draw({&tokens, 1}).front();
-    frames.push_back({initial.width,
-                      initial.height,
-                      parts_->transition.synthesize(initial, target, drawn),
-                      {},
-                      {}});
+    frames.push_back(parts_->transition.synthesize(initial, target, drawn));
   }
   return frames;
 }

@@ -3,6 +3,7 @@
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/model/symbolic_model.hpp"
 #include "conceptplan/learner/effect_context.hpp"
+#include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/learned_symbols.hpp"
 #include "observed_frame.hpp"
@@ -30,8 +31,12 @@ FirstFrame othersOf(const ObservedFrame& frame, std::size_t target, const Symbol
 SequenceFrame sequenceFrame(const RgbdImage& image, const ObservedFrame& observed,
                             std::size_t target) {
   const auto& location = observed.inputs[target].location;
-  return {image.rgb, holeOf(image.mask, image.width, image.height, observed.instances[target]),
-          (location[0] + 1.0) * (kFrameWidth / 2.0), (location[1] + 1.0) * (kFrameHeight / 2.0),
+  const std::uint8_t instance = observed.instances[target];
+  return {image.rgb,
+          holeOf(image.mask, image.width, image.height, instance),
+          othersDepth_mm(image, instance),
+          (location[0] + 1.0) * (kFrameWidth / 2.0),
+          (location[1] + 1.0) * (kFrameHeight / 2.0),
           observed.tokens[target]};
 }
 

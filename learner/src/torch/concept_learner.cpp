@@ -48,6 +48,7 @@ std::vector<DrawnObject> ConceptLearner::draw(std::span<const Tokens> tokens) co
   const DecodedObject decoded = network->decode(network->detokenize(input));
   const auto rgb = decoded.rgb.contiguous();
   const auto alpha = torch::sigmoid(decoded.mask_logits).contiguous();
+  const auto depth = decoded.depth.contiguous();
   const auto location = network->locate(input).contiguous();
   constexpr std::size_t kPixels = EncoderInput::kPixels;
   std::vector<DrawnObject> drawn(tokens.size());
@@ -57,6 +58,9 @@ std::vector<DrawnObject> ConceptLearner::draw(std::span<const Tokens> tokens) co
     from = alpha.data_ptr<float>() + i * kPixels;
     drawn[i].alpha.assign(from, from + kPixels);
     std::copy_n(location.data_ptr<float>() + 3 * i, 3, drawn[i].location.begin());
+    const float* level = depth.data_ptr<float>() + i * kPixels;
+    for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
+      drawn[i].depth_m.push_back(depthOf(drawn[i].location, 255.0F * level[pixel]));
   }
   return drawn;
 }

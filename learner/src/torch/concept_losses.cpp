@@ -7,11 +7,13 @@ namespace {
 constexpr double kLeastProbability = 1e-5;
 }
 
-torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& rgb,
-                                 const torch::Tensor& mask, double foreground_weight) {
-  const auto error = (drawn.rgb - rgb).square().mean(1, /*keepdim=*/true);
+torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
+                                 double foreground_weight) {
+  const auto depth = planes.slice(1, 3, 4), mask = planes.slice(1, 4, 5);
+  const auto error = (drawn.rgb - planes.slice(1, 0, 3)).square().mean(1, /*keepdim=*/true);
   const auto weight = 1 + (foreground_weight - 1) * mask;
-  return (weight * error).sum() / weight.sum() +
+  const auto depth_error = mask * (drawn.depth - depth).square();
+  return (weight * error).sum() / weight.sum() + depth_error.sum() / mask.sum().clamp_min(1) +
          0.1 * torch::binary_cross_entropy_with_logits(drawn.mask_logits, mask);
 }
 

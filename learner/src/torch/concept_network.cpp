@@ -140,7 +140,7 @@ ConceptNetworkImpl::ConceptNetworkImpl(EncoderKind encoder) : encoder_kind_(enco
       "decoder",
       nn::Sequential(ResidualBlock(kLatentChannels), nn::ReLU(), Upsampling(kLatentChannels, 48),
                      normalization(48), nn::ReLU(), Upsampling(48, 24), normalization(24),
-                     nn::ReLU(), Upsampling(24, 16), nn::ReLU(), convolution(16, 4, 3, 1)));
+                     nn::ReLU(), Upsampling(24, 16), nn::ReLU(), convolution(16, 5, 3, 1)));
   locator_ = register_module("locator", nn::Sequential(nn::Linear(kConceptCount * kTokenWidth, 128),
                                                        nn::GELU(), nn::Linear(128, 3)));
   for (const Concept which : kConcepts)
@@ -171,7 +171,8 @@ torch::Tensor ConceptNetworkImpl::detokenize(const torch::Tensor& tokens) {
 
 DecodedObject ConceptNetworkImpl::decode(const torch::Tensor& z) {
   const auto drawn = decoder_->forward(z);
-  return {torch::sigmoid(drawn.slice(1, 0, 3)), drawn.slice(1, 3, 4)};
+  return {torch::sigmoid(drawn.slice(1, 0, 3)), drawn.slice(1, 3, 4),
+          torch::sigmoid(drawn.slice(1, 4, 5))};
 }
 
 torch::Tensor ConceptNetworkImpl::locate(const torch::Tensor& tokens) {

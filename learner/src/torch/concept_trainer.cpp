@@ -63,12 +63,11 @@ torch::Tensor drawingLoss(ConceptNetwork& network, const AnchorBatch& batch, con
   const auto both = torch::cat({tokens.index({first}), substituted});
   const auto targets = torch::cat({first, second});
   const auto crops = batch.images.bytes.index({targets}).to(torch::kFloat) / 255.0;
-  const auto rgb = crops.slice(1, 0, 3), mask = crops.slice(1, 4, 5);
   const auto reconstruction = 2 * reconstructionLoss(network->decode(network->detokenize(both)),
-                                                     rgb, mask, options.foreground_weight);
-  const auto half = first.size(0);
-  const auto direct = reconstructionLoss(network->decode(z.index({first})), rgb.slice(0, 0, half),
-                                         mask.slice(0, 0, half), options.foreground_weight);
+                                                     crops, options.foreground_weight);
+  const auto direct =
+      reconstructionLoss(network->decode(z.index({first})), crops.slice(0, 0, first.size(0)),
+                         options.foreground_weight);
   const auto location =
       torch::smooth_l1_loss(network->locate(both), batch.images.location.index({targets}), 1, 0.05);
   losses.reconstruction = reconstruction.item<double>();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/torch/token_tensors.hpp"
@@ -108,7 +109,7 @@ VictLosses VictTrainer::synthesisStep(std::mt19937_64& generator) {
   }
   std::vector<Tokens> tokens;
   for (const WindowExample& example : examples) tokens.push_back(example.tokens);
-  const std::vector<DrawnObject> drawn = learner_.draw(tokens);
+  std::vector<DrawnObject> drawn = learner_.draw(tokens);
 
   auto planes = torch::empty({options_.synthesis_batch, 8, kEdge, kEdge});
   auto truth = torch::empty({options_.synthesis_batch, 3, kEdge, kEdge});
@@ -121,8 +122,10 @@ VictLosses VictTrainer::synthesisStep(std::mt19937_64& generator) {
     };
     const double x = centered.x_px + jitter(), y = centered.y_px + jitter();
     const WindowCorner corner = windowAround(x, y, kFrameWidth, kFrameHeight);
-    const FrameWindow window = cutWindow(example.source->rgb, example.source->hole, kFrameWidth,
-                                         corner, drawn[static_cast<std::size_t>(i)]);
+    const FrameWindow window =
+        cutWindow(example.source->rgb, example.source->hole, kFrameWidth, corner,
+                  hiddenBehind(std::move(drawn[static_cast<std::size_t>(i)]),
+                               example.source->others_mm, kFrameWidth));
     planes[i].copy_(torch::tensor(window.planes).view({8, kEdge, kEdge}));
     const auto frame = torch::from_blob(const_cast<std::uint8_t*>(example.destination->rgb.data()),
                                         {kFrameHeight, kFrameWidth, 3}, torch::kUInt8);

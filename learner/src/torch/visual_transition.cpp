@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/torch/causal_transition.hpp"
 #include "conceptplan/learner/torch/frame_synthesizer.hpp"
@@ -62,16 +63,16 @@ Tokens VisualTransition::apply(const Tokens& tokens, const Tokens& context, Acti
   return toTokens(next).front();
 }
 
-std::vector<std::uint8_t> VisualTransition::synthesize(const RgbdImage& initial,
-                                                       std::uint8_t instance,
-                                                       const DrawnObject& object) const {
+RgbdImage VisualTransition::synthesize(const RgbdImage& initial, std::uint8_t instance,
+                                       const DrawnObject& object) const {
   if (instance == 0 ||
       std::find(initial.mask.begin(), initial.mask.end(), instance) == initial.mask.end())
     throw std::invalid_argument("synthesize: the picture has no instance " +
                                 std::to_string(instance));
   const auto hole = holeOf(initial.mask, initial.width, initial.height, instance);
   const auto old_place = middleOf(hole, initial.width);
-  const WindowCorner crop = cropCorner(object);
+  const DrawnObject seen = hiddenBehind(object, othersDepth_mm(initial, instance), initial.width);
+  const WindowCorner crop = cropCorner(seen);
   const double half = DrawnObject::kEdge / 2.0;
   const std::array<WindowCorner, 2> corners{
       windowAround(old_place[0], old_place[1], initial.width, initial.height),
@@ -80,7 +81,7 @@ std::vector<std::uint8_t> VisualTransition::synthesize(const RgbdImage& initial,
   auto planes = torch::empty({2, 8, kEdge, kEdge});
   for (std::int64_t i = 0; i < 2; ++i) {
     const FrameWindow window =
-        cutWindow(initial.rgb, hole, initial.width, corners[static_cast<std::size_t>(i)], object);
+        cutWindow(initial.rgb, hole, initial.width, corners[static_cast<std::size_t>(i)], seen);
     planes[i].copy_(torch::tensor(window.planes).view({8, kEdge, kEdge}));
   }
   const torch::InferenceMode inference;
@@ -101,15 +102,16 @@ std::vector<std::uint8_t> VisualTransition::synthesize(const RgbdImage& initial,
           sum[3 * pixel + static_cast<std::size_t>(channel)] += windowWeight(x, y) * *from;
           if (channel == 0) weight[pixel] += windowWeight(x, y);
         }
-  std::vector<std::uint8_t> rgb = initial.rgb;
-  for (std::size_t i = 0; i < rgb.size(); ++i) {
+  RgbdImage image = initial;
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     const float total = weight[i / 3];
     if (total <= 0) continue;
-    const float kept = std::max(0.0F, 1.0F - total) * static_cast<float>(rgb[i]) / 255.0F;
+    const float kept = std::max(0.0F, 1.0F - total) * static_cast<float>(image.rgb[i]) / 255.0F;
     const float value = (sum[i] + kept) / std::max(1.0F, total);
-    rgb[i] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
+    image.rgb[i] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
   }
-  return rgb;
+  moveInstance(image, instance, seen);
+  return image;
 }
 
 }  // namespace conceptplan

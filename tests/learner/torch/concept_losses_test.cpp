@@ -7,16 +7,17 @@
 namespace conceptplan {
 namespace {
 
-TEST(ReconstructionLoss, Eq1IsTheWeightedSquaredErrorAndTheMasksCrossEntropy) {
-  const auto rgb = torch::zeros({1, 3, 64, 64});
-  auto mask = torch::zeros({1, 1, 64, 64});
-  mask.slice(2, 0, 32).fill_(1);  // the upper half is the object
+TEST(ReconstructionLoss, Eq1IsTheWeightedSquaredErrorWithDepthAndTheMasksCrossEntropy) {
+  auto planes = torch::zeros({1, 5, 64, 64});
+  planes.slice(1, 4, 5).slice(2, 0, 32).fill_(1);  // the upper half is the object
   auto drawn = torch::zeros({1, 3, 64, 64});
   drawn.slice(2, 0, 32).fill_(0.5);
   const auto logits = torch::zeros({1, 1, 64, 64});
+  // Depth is off by 0.2 everywhere, and counts on the object alone.
+  const auto depth = torch::full({1, 1, 64, 64}, 0.2);
   // Half of the pixels weigh 3, the others 1: (3 * 0.25 + 0) / 4, and a tenth of log 2.
-  const double expected = 3 * 0.25 / 4 + 0.1 * std::log(2.0);
-  EXPECT_NEAR(reconstructionLoss({drawn, logits}, rgb, mask, 3).item<double>(), expected, 1e-5);
+  const double expected = 3 * 0.25 / 4 + 0.2 * 0.2 + 0.1 * std::log(2.0);
+  EXPECT_NEAR(reconstructionLoss({drawn, logits, depth}, planes, 3).item<double>(), expected, 1e-5);
 }
 
 TEST(ConceptDisentanglingLoss, Eq2IsTheCrossEntropyOfTokenDistances) {

@@ -19,6 +19,7 @@ SequenceFrame frame(int left, float token) {
   SequenceFrame result;
   result.rgb.assign(3 * kFrameWidth * kFrameHeight, 160);
   result.hole.assign(kFrameWidth * kFrameHeight, 0);
+  result.others_mm.assign(kFrameWidth * kFrameHeight, 0);
   for (int y = 100; y < 130; ++y)
     for (int x = left; x < left + 30; ++x) {
       const auto pixel = static_cast<std::size_t>(y * kFrameWidth + x);
@@ -102,11 +103,13 @@ TEST(VisualTransition, Eq7KeepsTokenLengthAndSynthesizesOnlyNearTheObject) {
       transition.apply(data[0].frames[0].tokens, Tokens::Zero(), Action::kMoveRight);
   for (Eigen::Index k = 0; k < 6; ++k) EXPECT_NEAR(after.row(k).norm(), 8, 1e-2);
 
-  const RgbdImage image{
-      kFrameWidth, kFrameHeight, data[0].frames[0].rgb, {}, data[0].frames[0].hole};
+  const RgbdImage image{kFrameWidth, kFrameHeight, data[0].frames[0].rgb,
+                        std::vector<float>(kFrameWidth * kFrameHeight, 2.0F),
+                        data[0].frames[0].hole};
   DrawnObject object = learner.draw({&after, 1}).front();
   object.location = {-0.2F, 0.0F, 0.0F};
-  const auto rgb = transition.synthesize(image, 1, object);
+  const RgbdImage next = transition.synthesize(image, 1, object);
+  const auto& rgb = next.rgb;
   ASSERT_EQ(rgb.size(), image.rgb.size());
   EXPECT_EQ(rgb[0], 160);
   EXPECT_EQ(rgb[3 * (200 * kFrameWidth + 370)], 160);

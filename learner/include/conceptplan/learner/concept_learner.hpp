@@ -18,6 +18,7 @@ struct DrawnObject {
   static constexpr int kEdge = EncoderInput::kEdge;
   std::vector<float> rgb;           ///< [3, 64, 64], 0 to 1
   std::vector<float> alpha;         ///< [64, 64], opacity, 0 to 1
+  std::vector<float> depth_m;       ///< [64, 64], along the camera's axis; holds where alpha is 1
   std::array<float, 3> location{};  ///< as `EncoderInput::location`
 };
 

@@ -24,6 +24,9 @@ struct EncoderInput {
   std::array<float, 3> location{};
 };
 
+/// Metres along the camera's axis of a level of the depth plane, 0 to 255, at that location.
+float depthOf(const std::array<float, 3>& location, float level);
+
 /// The bytes of a crop. @throws std::invalid_argument if its planes are not 64 x 64 or no pixel is
 /// on the object.
 EncoderInput encoderInput(const ObjectCrop& crop);

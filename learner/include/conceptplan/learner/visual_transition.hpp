@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "conceptplan/domain/action.hpp"
 #include "conceptplan/domain/image.hpp"
@@ -25,11 +24,12 @@ class VisualTransition {
   /// C1' = T(C0, V(a)), Eq. (7). `context` is that of `effectContext`.
   Tokens apply(const Tokens& tokens, const Tokens& context, Action action) const;
 
-  /// The picture `initial` with the instance gone from its place and the object drawn instead:
-  /// [height, width, 3]. @throws std::invalid_argument if the picture has no such instance, or is
-  /// smaller than a window of 96 x 96.
-  std::vector<std::uint8_t> synthesize(const RgbdImage& initial, std::uint8_t instance,
-                                       const DrawnObject& object) const;
+  /// The picture `initial`, its depth and its mask with the instance gone from its place and the
+  /// object drawn instead, hidden where other objects stand before it.
+  /// @throws std::invalid_argument if the picture has no such instance, or is smaller than a window
+  /// of 96 x 96.
+  RgbdImage synthesize(const RgbdImage& initial, std::uint8_t instance,
+                       const DrawnObject& object) const;
 
  private:
   struct Networks;

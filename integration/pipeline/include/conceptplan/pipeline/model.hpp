@@ -44,9 +44,9 @@ class Model {
 
   Percept perceive(const RgbdImage& image) const;
 
-  /// The picture after each step of a plan, as ViCT predicts it: colours only, [actions]. Tokens go
-  /// through the causal transition; one that then reads as another symbol than the plan predicts is
-  /// replaced by the centre of the predicted one, so that errors do not add up.
+  /// The picture, depth and mask after each step of a plan, as ViCT predicts them, [actions].
+  /// Tokens go through the causal transition; one that then reads as another symbol than the plan
+  /// predicts is replaced by the centre of the predicted one, so that errors do not add up.
   /// @throws std::invalid_argument if the target is not seen in the picture, or the plan has no
   /// predicted symbols.
   std::vector<RgbdImage> render(const RgbdImage& initial, const Percept& percept,

@@ -7,11 +7,11 @@
 namespace conceptplan {
 
 /// Squared error of a drawn object against the truth, each pixel of the object weighted
-/// `foreground_weight` times one of the background, plus the cross-entropy of its mask.
-/// rgb [B, 3, 64, 64] and mask [B, 1, 64, 64] in 0..1 -> scalar.
-/// Source: L_MSE in Eq. (1) of arXiv 2310.03325; the weight and the mask are ours.
-torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& rgb,
-                                 const torch::Tensor& mask, double foreground_weight);
+/// `foreground_weight` times one of the background, plus that of its depth where the object is, and
+/// the cross-entropy of its mask. planes [B, 5, 64, 64] as of `EncoderInput`, in 0..1 -> scalar.
+/// Source: L_MSE in Eq. (1) of arXiv 2310.03325; weight, depth and mask are ours.
+torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
+                                 double foreground_weight);
 
 /// Concept disentangling loss: the token of the concept that differs should differ most.
 /// first, second [B, 6, 64]; differing [B] in [0, 6) -> scalar. Source: Eq. (2).

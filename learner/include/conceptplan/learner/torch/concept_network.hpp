@@ -12,17 +12,18 @@ namespace conceptplan {
 
 inline constexpr std::int64_t kTokenWidth = 64;
 
-/// One RGB picture and the mask of an object, as the decoder draws it.
+/// Colour, mask and relative depth of an object, as the decoder draws them.
 struct DecodedObject {
   torch::Tensor rgb;          ///< [B, 3, 64, 64], 0 to 1
   torch::Tensor mask_logits;  ///< [B, 1, 64, 64]
+  torch::Tensor depth;        ///< [B, 1, 64, 64], 0 to 1, as the depth plane of `EncoderInput`
 };
 
 /// The Substitution-based Concept Learner: encoder, concept tokenizer, concept detokenizer and
 /// decoder. Source: Sec. III-A of arXiv 2310.03325. Departures, each for what two CPU cores can
 /// learn: object-centred input by default; tokens are normalised to a fixed length without
 /// parameters; the detokenizer is a perceptron; up-sampling is convolution and pixel shuffle; the
-/// decoder draws the object's crop and mask, and says where the crop lies.
+/// decoder draws the object's crop, mask and depth, and says where the crop lies.
 class ConceptNetworkImpl : public torch::nn::Module {
  public:
   explicit ConceptNetworkImpl(EncoderKind encoder = EncoderKind::kObjectCentred);
