@@ -1,6 +1,6 @@
 set(world_headers)
 foreach(header IN ITEMS
-    action camera concept image input_error object object_crop symbols task workbench world
+    action camera concept image image_quality input_error object object_crop symbols task workbench world
     dataset/concept_dataset dataset/concept_dataset_writer dataset/dataset_summary
     dataset/task_dataset dataset/task_dataset_writer
     simulation/concept_set simulation/judgement simulation/random_stream
@@ -12,6 +12,7 @@ set(world_sources
   src/action.cpp
   src/camera.cpp
   src/concept.cpp
+  src/image_quality.cpp
   src/input_error.cpp
   src/object.cpp
   src/object_crop.cpp

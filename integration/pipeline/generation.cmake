@@ -3,6 +3,7 @@ find_package(Threads REQUIRED)
 
 conceptplan_library(generation
   HEADERS include/conceptplan/pipeline/generation.hpp
-  SOURCES src/generation.cpp
+          include/conceptplan/pipeline/parallel_work.hpp
+  SOURCES src/generation.cpp src/parallel_work.cpp
   PUBLIC conceptplan::domain
   PRIVATE conceptplan::rendering Threads::Threads)

@@ -81,6 +81,7 @@ NamedTensors tensorsOf(const LearnedSymbols& symbols) {
     tensors[prefix(which) + "centers"] = {{clusters.centers.rows(), clusters.centers.cols()},
                                           {from, from + clusters.centers.size()}};
     tensors[prefix(which) + "temperature"] = {{1}, {static_cast<float>(clusters.temperature)}};
+    tensors[prefix(which) + "reach"] = {{1}, {static_cast<float>(clusters.reach)}};
     tensors[prefix(which) + "values"] = vectorOf(symbols.values[index(which)]);
   }
   tensors["grounding.columns"] = vectorOf(symbols.grounding.columns);
@@ -105,16 +106,21 @@ LearnedSymbols learnedSymbolsFrom(const NamedTensors& tensors, const std::filesy
     const std::size_t k = index(which);
     const NamedTensor* centers = reader.find(prefix(which) + "centers", 2);
     const NamedTensor* temperature = reader.find(prefix(which) + "temperature", 1);
-    if (centers == nullptr || temperature == nullptr) continue;
+    const NamedTensor* reach = reader.find(prefix(which) + "reach", 1);
+    if (centers == nullptr || temperature == nullptr || reach == nullptr) continue;
     if (centers->shape[0] < 1 || centers->shape[1] != TokenMatrix::ColsAtCompileTime ||
-        temperature->values.size() != 1) {
-      reader.fault(prefix(which) + "centers", "expected [n, 64] centres and one temperature");
+        temperature->values.size() != 1 || reach->values.size() != 1) {
+      reader.fault(prefix(which) + "centers",
+                   "expected [n, 64] centres, one temperature and one reach");
       continue;
     }
     cardinality[k] = static_cast<std::size_t>(centers->shape[0]);
     clusters[k].centers = Eigen::Map<const TokenMatrix>(centers->values.data(), centers->shape[0],
                                                         TokenMatrix::ColsAtCompileTime);
     clusters[k].temperature = temperature->values.front();
+    clusters[k].reach = reach->values.front();
+    if (!(clusters[k].reach > 0))
+      reader.fault(prefix(which) + "reach", "expected a positive number");
     if (!(clusters[k].temperature > 0))
       reader.fault(prefix(which) + "temperature", "expected a positive number");
     values[k] = reader.integers(prefix(which) + "values", cardinality[k],

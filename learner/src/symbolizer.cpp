@@ -1,5 +1,6 @@
 #include "conceptplan/learner/symbolizer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -38,11 +39,13 @@ Symbolizer::Symbolizer(std::array<SymbolClusters, kNumConcepts> clusters)
   for (const Concept which : kConcepts) {
     const SymbolClusters& of_concept = clusters_[index(which)];
     if (of_concept.centers.rows() == 0 || !(of_concept.temperature > 0) ||
-        !std::isfinite(of_concept.temperature) || !of_concept.centers.allFinite())
+        !std::isfinite(of_concept.temperature) || !(of_concept.reach > 0) ||
+        !of_concept.centers.allFinite())
       throw std::invalid_argument("Symbolizer: " + std::string(name(which)) + " has " +
                                   std::to_string(of_concept.centers.rows()) +
-                                  " centres and temperature " +
-                                  std::to_string(of_concept.temperature));
+                                  " centres, temperature " +
+                                  std::to_string(of_concept.temperature) + " and reach " +
+                                  std::to_string(of_concept.reach));
   }
 }
 
@@ -74,6 +77,14 @@ Symbols Symbolizer::nearest(const Tokens& tokens) const {
   return symbols;
 }
 
+std::array<bool, kNumConcepts> Symbolizer::fits(const Tokens& tokens) const {
+  std::array<bool, kNumConcepts> fits{};
+  for (std::size_t k = 0; k < kNumConcepts; ++k)
+    fits[k] = squaredDistances(clusters_[k], tokens.row(static_cast<Eigen::Index>(k))).minCoeff() <=
+              clusters_[k].reach;
+  return fits;
+}
+
 Eigen::VectorXd squaredDistances(const SymbolClusters& clusters,
                                  const Eigen::Ref<const Eigen::RowVectorXf>& token) {
   return (clusters.centers.rowwise() - token).rowwise().squaredNorm().cast<double>();
@@ -98,6 +109,14 @@ double fitTemperature(const Eigen::MatrixXd& distances, const std::vector<Symbol
     }
   }
   return std::exp(0.5 * (low + high));
+}
+
+double fitReach(const Eigen::MatrixXd& distances, double share) {
+  if (distances.rows() == 0) throw std::invalid_argument("fitReach: no distances");
+  Eigen::VectorXd nearest = distances.rowwise().minCoeff();
+  std::sort(nearest.begin(), nearest.end());
+  const double last = static_cast<double>(nearest.size() - 1);
+  return nearest[static_cast<Eigen::Index>(std::ceil(share * last))];
 }
 
 double calibrationError(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,

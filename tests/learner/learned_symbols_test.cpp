@@ -16,6 +16,7 @@ LearnedSymbols sample() {
     const auto count = static_cast<Eigen::Index>(kConceptCardinality[k]);
     clusters[k].centers = TokenMatrix::Constant(count, 64, static_cast<float>(k));
     clusters[k].temperature = 0.5 + static_cast<double>(k);
+    clusters[k].reach = 8 + static_cast<double>(k);
     values[k].resize(kConceptCardinality[k]);
     std::iota(values[k].rbegin(), values[k].rend(), 0);
   }
@@ -35,6 +36,7 @@ TEST(LearnedSymbols, ReadsWhatItWrote) {
   EXPECT_EQ(read.symbolizer.clusters(Concept::kSize).centers,
             sample().symbolizer.clusters(Concept::kSize).centers);
   EXPECT_DOUBLE_EQ(read.symbolizer.clusters(Concept::kColor).temperature, 4.5);
+  EXPECT_DOUBLE_EQ(read.symbolizer.clusters(Concept::kSize).reach, 13);
 }
 
 TEST(LearnedSymbols, NamesSymbolsByTheirValues) {
@@ -48,6 +50,7 @@ TEST(LearnedSymbols, CollectsEveryFault) {
   NamedTensors tensors = tensorsOf(sample());
   tensors.erase("symbols.TYPE.centers");
   tensors["symbols.SIZE.temperature"].values = {-1};
+  tensors["symbols.COLOR.reach"].values = {0};
   tensors["grounding.rows"].values[0] = -3;
   try {
     learnedSymbolsFrom(tensors, "m");
@@ -56,6 +59,7 @@ TEST(LearnedSymbols, CollectsEveryFault) {
     const std::string text = error.what();
     EXPECT_THAT(text, testing::HasSubstr("symbols.TYPE.centers"));
     EXPECT_THAT(text, testing::HasSubstr("symbols.SIZE.temperature"));
+    EXPECT_THAT(text, testing::HasSubstr("symbols.COLOR.reach"));
     EXPECT_THAT(text, testing::HasSubstr("grounding.rows"));
   }
 }

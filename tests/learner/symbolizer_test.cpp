@@ -38,6 +38,27 @@ TEST(Symbolizer, BeliefIsASoftmaxOfSquaredDistances) {
   EXPECT_NEAR(std::accumulate(belief.begin(), belief.end(), 0.0), 1, 1e-12);
 }
 
+TEST(Symbolizer, TellsATokenThatFitsNoSymbol) {
+  auto clusters = cornerClusters(1);
+  for (auto& of_concept : clusters) of_concept.reach = 4;
+  const Symbolizer symbolizer(clusters);
+  Tokens tokens = Tokens::Zero();
+  for (Eigen::Index k = 0; k < 6; ++k) tokens(k, 0) = 3;
+  tokens(2, 0) = 0.9F;  // 2.1 from its centre
+  const auto fits = symbolizer.fits(tokens);
+  for (std::size_t k = 0; k < kNumConcepts; ++k) EXPECT_EQ(fits[k], k != 2);
+  EXPECT_EQ(symbolizer.nearest(tokens)[2], SymbolId{0});
+}
+
+TEST(Calibration, ReachHoldsTheGivenShareOfNearestDistances) {
+  Eigen::MatrixXd distances(5, 2);
+  distances << 9, 1, 2, 8, 3, 7, 6, 4, 5, 20;
+  EXPECT_EQ(fitReach(distances, 1), 5);
+  EXPECT_EQ(fitReach(distances, 0.5), 3);
+  EXPECT_EQ(fitReach(distances, 0), 1);
+  EXPECT_THROW(fitReach(Eigen::MatrixXd(0, 2), 0.5), std::invalid_argument);
+}
+
 TEST(Symbolizer, RefusesNoCentresAndBadTemperatures) {
   auto clusters = cornerClusters(1);
   clusters[0].temperature = 0;

@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "conceptplan/pipeline/evaluation.hpp"
+#include "conceptplan/pipeline/frame_evaluation.hpp"
 #include "exit_code.hpp"
 
 namespace conceptplan::cli {
@@ -9,6 +9,7 @@ struct EvaluateCommandOptions {
   std::string tasks;
   std::string model = "default";
   std::vector<std::string> planners{"belief"};
+  bool frames = false;
 };
 
 Json rowJson(const EvaluationRow& row) {
@@ -36,6 +37,26 @@ std::vector<std::string> rowText(const EvaluationRow& row) {
           failures.empty() ? "-" : failures};
 }
 
+Json rowJson(const FrameEvaluationRow& row) {
+  return {{"set", row.set},
+          {"level", row.level},
+          {"steps", row.steps},
+          {"psnr_db", row.psnr_db},
+          {"ssim", row.ssim},
+          {"planned_steps", row.planned_steps},
+          {"read_back", row.read_back}};
+}
+
+std::vector<std::string> rowText(const FrameEvaluationRow& row) {
+  return {row.set,
+          std::to_string(row.level),
+          std::to_string(row.steps),
+          decimal(row.psnr_db, 1),
+          decimal(row.ssim, 3),
+          std::to_string(row.planned_steps),
+          decimal(row.read_back, 1)};
+}
+
 int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
   const PlannerRegistry registry = PlannerRegistry::standard();
   for (const std::string& planner : options.planners) registry.make(planner, {}, "--planners");
@@ -56,8 +77,22 @@ int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
     list.push_back(rowJson(row));
     table.push_back(rowText(row));
   }
+  Json answer{{"rows", list}};
   session.console.print(table);
-  session.console.printJson({{"rows", list}});
+  if (options.frames) {
+    evaluation.progress = session.console.progress("frames");
+    const std::vector<FrameEvaluationRow> frames = evaluateFrames(tasks, model, evaluation);
+    if (session.cancel) throw Interrupted{};
+    TextTable frames_table{
+        {"set", "level", "steps", "PSNR dB", "SSIM", "planned steps", "read back %"}};
+    answer["frames"] = Json::array();
+    for (const FrameEvaluationRow& row : frames) {
+      answer["frames"].push_back(rowJson(row));
+      frames_table.push_back(rowText(row));
+    }
+    session.console.print(frames_table);
+  }
+  session.console.printJson(answer);
   return kDone;
 }
 
@@ -76,6 +111,9 @@ void addEvaluateCommand(CommandLine& line) {
       .add_option("--planners", options->planners, "Planners by name, a,b,c; belief if left out")
       ->delimiter(',')
       ->type_name("NAMES");
+  command.add_flag("--frames", options->frames,
+                   "Also draw every step: likeness to the true picture, and whether it reads as "
+                   "planned");
   command.add_option("--model", options->model, "A shipped model's name, or a folder")
       ->type_name("NAME|DIR");
 }

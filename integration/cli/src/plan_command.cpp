@@ -57,6 +57,7 @@ void printSolution(const SolvedScenario& solved, Console& console) {
   console.print(solved.scenario.name + ": " + std::string(name(result.status)) +
                 (result.reason.empty() ? "" : ", " + result.reason));
   if (!result.plans.empty()) console.print(plansTable(result));
+  for (const std::string& doubt : solved.solution.doubts) console.print(doubt);
   if (const auto& evaluation = solved.solution.evaluation) {
     const auto& failure = evaluation->best.failure;
     console.print("in the simulator the best plan " +

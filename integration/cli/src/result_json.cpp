@@ -39,17 +39,12 @@ Json evaluationJson(const std::optional<Evaluation>& evaluation) {
 }
 
 Json makeResult(const ResultKey& key, const std::string& status, const std::string& reason) {
-  return {{"scenario", key.scenario},
-          {"planner", key.planner},
-          {"seed", key.seed},
-          {"status", status},
-          {"reason", reason},
-          {"plans", Json::array()},
-          {"evaluation", nullptr},
-          {"times_ms", timesJson({})},
-          {"statistics", statisticsJson({})},
-          {"refinement", nullptr},
-          {"version", CONCEPTPLAN_VERSION}};
+  return {{"scenario", key.scenario},  {"planner", key.planner},
+          {"seed", key.seed},          {"status", status},
+          {"reason", reason},          {"plans", Json::array()},
+          {"evaluation", nullptr},     {"doubts", Json::array()},
+          {"times_ms", timesJson({})}, {"statistics", statisticsJson({})},
+          {"refinement", nullptr},     {"version", CONCEPTPLAN_VERSION}};
 }
 
 std::string actionsText(const Json& result) {
@@ -89,6 +84,7 @@ Json resultJson(const ResultKey& key, const Solution& solution) {
   Json json = makeResult(key, std::string(name(result.status)), result.reason);
   for (const Plan& plan : result.plans) json["plans"].push_back(planJson(plan));
   json["evaluation"] = evaluationJson(solution.evaluation);
+  json["doubts"] = solution.doubts;
   json["times_ms"] = timesJson(solution.times);
   json["statistics"] = statisticsJson(result.statistics);
   return json;

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "conceptplan/domain/rendering/renderer.hpp"
-#include "parallel_work.hpp"
+#include "conceptplan/pipeline/parallel_work.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -112,7 +112,7 @@ std::vector<std::filesystem::path> generateScenarios(
   std::size_t done = 0;
   std::mutex mutex;
   progress(0, total);
-  workInParallel(total, jobs, cancel, [&]() -> Worker {
+  workInParallel(total, jobs, &cancel, [&]() -> Worker {
     const auto renderer =
         options.symbols_only ? std::shared_ptr<Renderer>() : std::make_shared<Renderer>();
     return [&, renderer](std::size_t i) {

@@ -4,8 +4,8 @@
 #include "commands.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "conceptplan/pipeline/parallel_work.hpp"
 #include "exit_code.hpp"
-#include "parallel_work.hpp"
 #include "result_json.hpp"
 #include "scenario_solver.hpp"
 #include "search_options.hpp"
@@ -120,7 +120,7 @@ int solveAll(const SolveCommandOptions& options, Session& session) {
   ResultLog log(csv ? "" : options.out, keys, options.resume);
   const Progress progress = session.console.progress("scenarios");
   progress(log.numResults(), jobs.size());
-  workInParallel(jobs.size(), session.options.jobs, session.cancel, [&]() -> Worker {
+  workInParallel(jobs.size(), session.options.jobs, &session.cancel, [&]() -> Worker {
     return [&](std::size_t number) {
       const Job& job = jobs[number];
       if (log.has(job.key)) return;

@@ -1,14 +1,13 @@
 #include "conceptplan/pipeline/evaluation.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "conceptplan/domain/simulation/judgement.hpp"
 #include "conceptplan/fcl/fcl_validity.hpp"
+#include "conceptplan/pipeline/parallel_work.hpp"
 #include "conceptplan/pipeline/solve.hpp"
 
 namespace conceptplan {
@@ -43,16 +42,6 @@ TaskResult judged(const Task& task, const std::vector<Plan>& plans) {
   return result;
 }
 
-std::string setName(const TaskDatasetOptions& options) {
-  std::string set = options.split == Split::kTrain        ? "train"
-                    : options.split == Split::kValidation ? "validation"
-                                                          : "test";
-  set += options.objects == ObjectSet::kSeen ? "/seen" : "/unseen";
-  set += options.domain == RenderDomain::kStandard ? "/standard" : "/shifted";
-  if (options.combination == Combination::kUnseenTask) set += "/unseen-task";
-  return set;
-}
-
 EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& planner,
                     const std::vector<std::vector<TaskResult>>& results, std::size_t column) {
   EvaluationRow row;
@@ -83,6 +72,16 @@ EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& plan
 
 }  // namespace
 
+std::string setName(const TaskDatasetOptions& options) {
+  std::string set = options.split == Split::kTrain        ? "train"
+                    : options.split == Split::kValidation ? "validation"
+                                                          : "test";
+  set += options.objects == ObjectSet::kSeen ? "/seen" : "/unseen";
+  set += options.domain == RenderDomain::kStandard ? "/standard" : "/shifted";
+  if (options.combination == Combination::kUnseenTask) set += "/unseen-task";
+  return set;
+}
+
 std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model,
                                     const PlannerRegistry& registry,
                                     const EvaluationOptions& options) {
@@ -91,42 +90,25 @@ std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model
 
   const std::size_t total = tasks.tasks().size();
   std::vector<std::vector<TaskResult>> results(total, std::vector<TaskResult>(planners.size()));
-  std::atomic<std::size_t> next{0};
+  const FclValidity validity;
   std::size_t done = 0;
   std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    const FclValidity validity;
-    for (std::size_t i = next++; i < total; i = next++) {
-      if (options.cancel != nullptr && *options.cancel) return;
-      try {
-        const Task& task = tasks.tasks()[i];
-        const auto problem = readProblem(tasks, task, model);
-        std::optional<SymbolGraph> graph;
-        if (problem) graph = compile(model.symbolic(), *problem, validity);
-        for (std::size_t p = 0; p < planners.size(); ++p) {
-          PlanQuery query;
-          query.top = kTop;
-          query.seed = options.seed;
-          results[i][p] =
-              judged(task, graph ? planners[p]->solve(*graph, query).plans : std::vector<Plan>());
-        }
-      } catch (...) {
-        const std::scoped_lock lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = total;
-        return;
-      }
-      const std::scoped_lock lock(mutex);
-      ++done;
-      if (options.progress) options.progress(done, total);
+  const auto evaluateTask = [&](std::size_t i) {
+    const Task& task = tasks.tasks()[i];
+    const auto problem = readProblem(tasks, task, model);
+    std::optional<SymbolGraph> graph;
+    if (problem) graph = compile(model.symbolic(), *problem, validity);
+    for (std::size_t p = 0; p < planners.size(); ++p) {
+      PlanQuery query;
+      query.top = kTop;
+      query.seed = options.seed;
+      results[i][p] =
+          judged(task, graph ? planners[p]->solve(*graph, query).plans : std::vector<Plan>());
     }
+    const std::scoped_lock lock(mutex);
+    if (options.progress) options.progress(++done, total);
   };
-  std::vector<std::thread> threads;
-  for (int job = 1; job < std::max(1, options.jobs); ++job) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  workInParallel(total, options.jobs, options.cancel, [&]() -> Worker { return evaluateTask; });
   if (options.cancel != nullptr && *options.cancel) return {};
 
   std::vector<EvaluationRow> rows;

@@ -1,18 +1,18 @@
 #include "conceptplan/pipeline/generation.hpp"
 
 #include <algorithm>
-#include <exception>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "conceptplan/domain/dataset/concept_dataset_writer.hpp"
 #include "conceptplan/domain/dataset/task_dataset_writer.hpp"
 #include "conceptplan/domain/rendering/appearance.hpp"
 #include "conceptplan/domain/rendering/renderer.hpp"
+#include "conceptplan/pipeline/parallel_work.hpp"
 
 namespace conceptplan {
 namespace {
@@ -21,10 +21,10 @@ static_assert(kNumColorSamples == kColorSamples);
 
 using PendingFrame = TaskDatasetWriter::PendingFrame;
 
-/// Shares numbered pieces of work among threads, each with a renderer, and counts pictures.
-class Workers {
+/// Renders in numbered pieces, shared among threads with a renderer each, and counts pictures.
+class Rendering {
  public:
-  Workers(const GenerationControl& control, std::size_t done, std::size_t total)
+  Rendering(const GenerationControl& control, std::size_t done, std::size_t total)
       : control_(control), done_(done), total_(total) {
     if (control.jobs < 1)
       throw std::invalid_argument("jobs must be at least 1, not " + std::to_string(control.jobs));
@@ -35,27 +35,14 @@ class Workers {
   template <typename Work>
   bool run(std::size_t count, const Work& work) {
     if (control_.progress) control_.progress(done_, total_);
-    std::atomic<std::size_t> next = 0;
-    const auto serve = [&] {
-      try {
-        Renderer renderer;
-        for (std::size_t i = next++; i < count && !stopped(); i = next++) work(renderer, i);
-      } catch (...) {
-        const std::scoped_lock lock(mutex_);
-        if (!failure_) failure_ = std::current_exception();
-        failed_ = true;
-      }
-    };
-    std::vector<std::thread> threads;
-    for (std::size_t job = 1; job < std::min(static_cast<std::size_t>(control_.jobs), count); ++job)
-      threads.emplace_back(serve);
-    serve();
-    for (std::thread& thread : threads) thread.join();
-    if (failure_) std::rethrow_exception(failure_);
-    return !stopped();
+    workInParallel(count, control_.jobs, control_.cancel, [&work]() -> Worker {
+      const auto renderer = std::make_shared<Renderer>();
+      return [&work, renderer](std::size_t i) { work(*renderer, i); };
+    });
+    return !cancelled();
   }
 
-  bool stopped() const { return failed_ || (control_.cancel && *control_.cancel); }
+  bool cancelled() const { return control_.cancel && *control_.cancel; }
 
   void count(std::size_t pictures) {
     const std::scoped_lock lock(mutex_);
@@ -68,8 +55,6 @@ class Workers {
   std::size_t done_;
   std::size_t total_;
   std::mutex mutex_;
-  std::exception_ptr failure_;
-  std::atomic<bool> failed_ = false;
 };
 
 /// Frames of one task share a room, which a renderer keeps: they stay together.
@@ -92,14 +77,14 @@ bool generateTasks(const std::filesystem::path& folder, const TaskDatasetOptions
   const TaskDatasetWriter writer(folder, options);
   const std::vector<PendingFrame> pending = writer.pendingFrames();
   const std::vector<std::span<const PendingFrame>> groups = byTask(pending);
-  Workers workers(control, writer.numFrames() - pending.size(), writer.numFrames());
-  const bool complete = workers.run(groups.size(), [&](Renderer& renderer, std::size_t i) {
+  Rendering rendering(control, writer.numFrames() - pending.size(), writer.numFrames());
+  const bool complete = rendering.run(groups.size(), [&](Renderer& renderer, std::size_t i) {
     for (const PendingFrame& frame : groups[i]) {
-      if (workers.stopped()) return;
+      if (rendering.cancelled()) return;
       const Task& task = writer.tasks()[frame.task];
       writer.write(
           frame, renderer.render(worldAtStep(task, frame.step), {task.appearance, options.domain}));
-      workers.count(1);
+      rendering.count(1);
     }
   });
   if (complete) writer.finish();
@@ -116,16 +101,16 @@ bool generateConcepts(const std::filesystem::path& folder, const ConceptDatasetO
   std::size_t missing = 0;
   for (const std::size_t shard : shards) missing += writer.requests(shard).size();
 
-  Workers workers(control, total - missing, total);
-  const bool complete = workers.run(shards.size(), [&](Renderer& renderer, std::size_t i) {
+  Rendering rendering(control, total - missing, total);
+  const bool complete = rendering.run(shards.size(), [&](Renderer& renderer, std::size_t i) {
     std::vector<ObjectCrop> crops;
     for (const auto& request : writer.requests(shards[i])) {
-      if (workers.stopped()) return;
+      if (rendering.cancelled()) return;
       crops.push_back(
           renderer.renderForeground({}, request.object, {request.appearance, options.domain}));
     }
     writer.write(shards[i], crops);
-    workers.count(crops.size());
+    rendering.count(crops.size());
   });
   if (complete) writer.finish();
   return complete;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
@@ -76,12 +77,23 @@ const SymbolicModel& Model::symbolic() const { return parts_->symbolic; }
 std::size_t Model::numParameters() const { return parts_->parameters; }
 
 Percept Model::perceive(const RgbdImage& image) const {
+  return std::move(perceive({&image, 1}).front());
+}
+
+std::vector<Percept> Model::perceive(std::span<const RgbdImage> images) const {
   const TorchThreads one_thread(1);
-  ObservedFrame observed = observeFrame(parts_->learner, image);
-  Percept percept{std::move(observed.instances), std::move(observed.tokens), {}};
-  for (const Tokens& tokens : percept.tokens)
-    percept.beliefs.push_back(parts_->symbols.symbolizer.belief(tokens));
-  return percept;
+  const Symbolizer& symbolizer = parts_->symbols.symbolizer;
+  std::vector<Percept> percepts;
+  for (ObservedFrame& observed : observeFrames(parts_->learner, images)) {
+    Percept& percept = percepts.emplace_back();
+    percept.instances = std::move(observed.instances);
+    percept.tokens = std::move(observed.tokens);
+    for (const Tokens& tokens : percept.tokens) {
+      percept.beliefs.push_back(symbolizer.belief(tokens));
+      percept.fits.push_back(symbolizer.fits(tokens));
+    }
+  }
+  return percepts;
 }
 
 std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& percept,
@@ -105,7 +117,7 @@ std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& pe
     }
   Tokens tokens = percept.tokens[at];
   Symbols symbols = mostProbable(percept.beliefs[at]);
-  std::vector<RgbdImage> frames;
+  std::vector<Tokens> predicted;
   for (std::size_t step = 0; step < plan.actions.size(); ++step) {
     const Action action = plan.actions[step];
     const Tokens context = effectContext(parts_->symbolic, action, symbols, others, other_tokens);
@@ -118,9 +130,11 @@ std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& pe
         tokens.row(static_cast<Eigen::Index>(k)) =
             symbolizer.clusters(which).centers.row(static_cast<Eigen::Index>(index(symbols[k])));
     }
-    const DrawnObject drawn = parts_->learner.draw({&tokens, 1}).front();
-    frames.push_back(parts_->transition.synthesize(initial, target, drawn));
+    predicted.push_back(tokens);
   }
+  std::vector<RgbdImage> frames;
+  for (const DrawnObject& drawn : parts_->learner.draw(predicted))
+    frames.push_back(parts_->transition.synthesize(initial, target, drawn));
   return frames;
 }
 

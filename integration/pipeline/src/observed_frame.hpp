@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "conceptplan/domain/image.hpp"
@@ -19,7 +20,8 @@ struct ObservedFrame {
   std::size_t position(std::uint8_t instance) const;
 };
 
-/// Cuts out and encodes every object of a picture.
-ObservedFrame observeFrame(const ConceptLearner& learner, const RgbdImage& image);
+/// Cuts out every object of the pictures and encodes them together.
+std::vector<ObservedFrame> observeFrames(const ConceptLearner& learner,
+                                         std::span<const RgbdImage> images);
 
 }  // namespace conceptplan

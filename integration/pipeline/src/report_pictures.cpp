@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
 #include <string>
 
+#include "conceptplan/domain/image_quality.hpp"
 #include "report_markup.hpp"
 #include "report_outline.hpp"
 #include "report_sections.hpp"
@@ -50,17 +49,6 @@ std::string shown(const Report& report, const RgbdImage& image, const std::strin
   return html + "</div><figcaption>" + caption + "</figcaption></figure>";
 }
 
-// Peak signal-to-noise ratio of 8-bit pictures of one size.
-std::optional<double> peakSignalToNoise_dB(const RgbdImage& a, const RgbdImage& b) {
-  if (a.width != b.width || a.height != b.height) return std::nullopt;
-  double squares = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
-    const double difference = static_cast<double>(a.rgb[i]) - b.rgb[i];
-    squares += difference * difference;
-  }
-  return 10 * std::log10(255.0 * 255.0 * static_cast<double>(a.rgb.size()) / squares);
-}
-
 std::string framesOf(const ReportFrames& frames, const std::string& step) {
   std::string html;
   const auto add = [&](const RgbdImage& image, const std::string& caption,
@@ -70,10 +58,11 @@ std::string framesOf(const ReportFrames& frames, const std::string& step) {
             "</div><figcaption>" + caption + note + "</figcaption></figure>";
   };
   std::string match;
-  if (frames.predicted.width > 0 && frames.reference.width > 0) {
-    if (const auto ratio = peakSignalToNoise_dB(frames.predicted, frames.reference)) {
-      match = "<span class=\"match\">" + decimal(*ratio, 1) + "&nbsp;dB</span>";
-    }
+  if (frames.predicted.width > 0 && frames.predicted.rgb.size() == frames.reference.rgb.size() &&
+      frames.predicted.width == frames.reference.width) {
+    match = "<span class=\"match\">" +
+            decimal(peakSignalToNoise_dB(frames.predicted, frames.reference), 1) +
+            "&nbsp;dB</span>";
   }
   add(frames.predicted, "Predicted", match);
   add(frames.reference, "Simulated", "");

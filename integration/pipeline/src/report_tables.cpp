@@ -129,7 +129,11 @@ std::string symbolsSection(const Report& report) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     if (i != scene.target) row("", objectName(report, i), scene.objects[i], false);
   }
-  return html + "</tbody></table></div></section>";
+  html += "</tbody></table></div>";
+  for (const std::string& doubt : report.doubts) {
+    html += "<p class=\"doubt\">" + escaped(doubt) + "</p>";
+  }
+  return html + "</section>";
 }
 
 std::string factsSection(const Report& report) {

@@ -73,6 +73,20 @@ std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Plan& p
   return frames;
 }
 
+/// Tells of symbols that are guesses.
+void addDoubts(const std::string& picture, const Percept& percept, const SymbolGrounding& grounding,
+               std::vector<std::string>& doubts) {
+  for (std::size_t i = 0; i < percept.instances.size(); ++i) {
+    const Symbols symbols = mostProbable(percept.beliefs[i]);
+    for (const Concept which : kConcepts)
+      if (!percept.fits[i][index(which)])
+        doubts.push_back("In the " + picture + " picture, the " + std::string(name(which)) +
+                         " of object " + std::to_string(percept.instances[i]) +
+                         " is like none that was learned; it is read as " +
+                         grounding.name(which, symbols[index(which)]) + ".");
+  }
+}
+
 }  // namespace
 
 SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
@@ -96,8 +110,11 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
   Percept initial;
   if (pictures != nullptr) {
     initial = model.perceive(pictures->initial);
+    const Percept goal = model.perceive(pictures->goal);
+    addDoubts("initial", initial, model.symbolic().grounding, solution.doubts);
+    addDoubts("goal", goal, model.symbolic().grounding, solution.doubts);
     try {
-      solution.problem = problemOf(initial, model.perceive(pictures->goal), scenario.target);
+      solution.problem = problemOf(initial, goal, scenario.target);
     } catch (const std::invalid_argument& error) {
       throw InputError({scenario.fault("target", error.what())});
     }
@@ -145,6 +162,7 @@ Report reportOf(const Scenario& scenario, const Model& model, const Solution& so
   report.problem = solution.problem;
   report.instances = solution.instances;
   report.grounding = model.symbolic().grounding;
+  report.doubts = solution.doubts;
   report.result = solution.result;
   for (const RgbdImage& frame : solution.frames) report.frames.push_back({frame, {}});
   if (scenario.reference) {

@@ -24,6 +24,9 @@ struct Extent {
   double height_m = 0;      ///< above the workbench
 };
 
+/// Share of validation objects, parts of them hidden and light changed, that fit a symbol.
+constexpr double kWithinReach = 0.999;
+
 /// Objects of a dataset as the learner and the tape measure see them.
 struct ObservedObjects {
   std::vector<EncoderInput> inputs;
@@ -163,7 +166,7 @@ std::vector<EncoderInput> varied(const std::vector<EncoderInput>& inputs,
   return result;
 }
 
-/// Fits the temperatures and adds accuracy and calibration on validation to the measures.
+/// Fits temperatures and reaches, and adds accuracy and calibration on validation to the measures.
 void calibrate(std::array<SymbolClusters, kNumConcepts>& clusters, const std::vector<Tokens>& plain,
                const std::vector<Tokens>& changed, const std::vector<ConceptValues>& truth,
                const std::array<std::vector<int>, kNumConcepts>& values, ModelManifest& manifest) {
@@ -194,6 +197,7 @@ void calibrate(std::array<SymbolClusters, kNumConcepts>& clusters, const std::ve
     for (std::size_t i = 0; i < rows.size(); ++i)
       distances.row(static_cast<Eigen::Index>(i)) = rows[i];
     clusters[k].temperature = fitTemperature(distances, right);
+    clusters[k].reach = fitReach(distances, kWithinReach);
     const std::string concept_name(name(which));
     manifest.measures["validation/accuracy/" + concept_name] =
         correct / static_cast<double>(plain.size());

@@ -28,8 +28,14 @@ Profile paperProfile() {
   profile.concepts.encoder = EncoderKind::kFullFrame;
   profile.concepts.groups = 8;
   profile.concepts.reconstruction_start = 0;
+  profile.concepts.sharpening_steps = 0;
   profile.concepts.decoder_steps = 0;
   profile.concepts.learning_rate = 3e-4;
+  profile.concepts.tokenizer_rate_share = 1.0 / 30;
+  profile.concepts.reconstruction_weight = 1;
+  profile.concepts.pair_weight = 0;
+  profile.concepts.use_weight = 0;
+  profile.concepts.confidence_weight = 0;
   return profile;
 }
 
@@ -39,7 +45,8 @@ Profile smokeProfile() {
   profile.concept_samples = 1;
   profile.tasks_per_level = 2;
   profile.symbol_images = 400;
-  profile.concepts.encoder_steps = 3;
+  profile.concepts.encoder_steps = 2;
+  profile.concepts.sharpening_steps = 1;
   profile.concepts.decoder_steps = 1;
   profile.concepts.groups = 2;
   profile.concepts.decoder_groups = 1;

@@ -21,8 +21,12 @@ bool countTransitions(const Run& run, ModelManifest& manifest) {
     if (run.cancelled()) return false;
     run.report({"transitions", i, data->tasks().size(), ""});
     const Task& task = data->tasks()[i];
+    std::vector<RgbdImage> pictures;
+    for (std::size_t step = 0; step <= task.reference.size(); ++step)
+      pictures.push_back(data->frame(task, static_cast<int>(step)));
+    const std::vector<ObservedFrame> frames = observeFrames(learner, pictures);
     // The other objects stand still: the first picture tells of them, each later one of the target.
-    const ObservedFrame first = observeFrame(learner, data->frame(task, 0));
+    const ObservedFrame& first = frames.front();
     const auto target_id = static_cast<std::uint8_t>(task.initial.target + 1);
     const std::size_t target = first.position(target_id);
     if (target == first.instances.size()) continue;  // wholly hidden
@@ -31,8 +35,7 @@ bool countTransitions(const Run& run, ModelManifest& manifest) {
     for (const Tokens& tokens : first.tokens)
       triplet.objects.push_back(symbols.symbolizer.nearest(tokens));
     for (std::size_t step = 0; step < task.reference.size(); ++step) {
-      const ObservedFrame next =
-          observeFrame(learner, data->frame(task, static_cast<int>(step) + 1));
+      const ObservedFrame& next = frames[step + 1];
       const std::size_t at = next.position(target_id);
       if (at == next.instances.size()) break;
       triplet.action = task.reference[step];

@@ -48,7 +48,7 @@ TaskSequence sequenceOf(const TaskDataset& data, const Task& task, const Concept
   FirstFrame others;
   for (std::size_t step = 0; step <= task.reference.size(); ++step) {
     const RgbdImage image = data.frame(task, static_cast<int>(step));
-    const ObservedFrame observed = observeFrame(learner, image);
+    const ObservedFrame observed = std::move(observeFrames(learner, {&image, 1}).front());
     const std::size_t target = observed.position(target_id);
     if (target == observed.instances.size()) break;
     if (step == 0) {

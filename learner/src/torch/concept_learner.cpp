@@ -46,19 +46,19 @@ std::vector<DrawnObject> ConceptLearner::draw(std::span<const Tokens> tokens) co
   const auto input = toTensor(tokens);
   ConceptNetwork& network = network_->network;
   const DecodedObject decoded = network->decode(network->detokenize(input));
-  const auto rgb = decoded.rgb.contiguous();
-  const auto alpha = torch::sigmoid(decoded.mask_logits).contiguous();
-  const auto depth = decoded.depth.contiguous();
   const auto location = network->locate(input).contiguous();
+  auto planes = torch::cat({decoded.rgb, decoded.depth, torch::sigmoid(decoded.mask_logits)}, 1);
+  if (network->encoderKind() == EncoderKind::kFullFrame) planes = cropsOf(planes, location);
+  planes = planes.contiguous();
   constexpr std::size_t kPixels = EncoderInput::kPixels;
   std::vector<DrawnObject> drawn(tokens.size());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const float* from = rgb.data_ptr<float>() + i * 3 * kPixels;
-    drawn[i].rgb.assign(from, from + 3 * kPixels);
-    from = alpha.data_ptr<float>() + i * kPixels;
-    drawn[i].alpha.assign(from, from + kPixels);
+    const float* rgb = planes.data_ptr<float>() + i * EncoderInput::kChannels * kPixels;
+    const float* level = rgb + 3 * kPixels;
+    const float* alpha = level + kPixels;
     std::copy_n(location.data_ptr<float>() + 3 * i, 3, drawn[i].location.begin());
-    const float* level = depth.data_ptr<float>() + i * kPixels;
+    drawn[i].rgb.assign(rgb, level);
+    drawn[i].alpha.assign(alpha, alpha + kPixels);
     for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
       drawn[i].depth_m.push_back(depthOf(drawn[i].location, 255.0F * level[pixel]));
   }

@@ -1,146 +1,111 @@
 #include "conceptplan/learner/torch/concept_network.hpp"
 
-#include <cmath>
 #include <string>
+
+#include "network_blocks.hpp"
 
 namespace conceptplan {
 namespace {
 
-namespace nn = torch::nn;
+using namespace network;
 namespace functional = torch::nn::functional;
 
-constexpr std::int64_t kLatentChannels = 96;
 constexpr std::int64_t kLatentEdge = 8;
 constexpr std::int64_t kCells = kLatentEdge * kLatentEdge;
 constexpr std::int64_t kConceptCount = static_cast<std::int64_t>(kNumConcepts);
-constexpr std::int64_t kHeads = 4;
 constexpr double kPrototypeScale = 12.0;
+/// Red, green, blue, mask, depth.
+constexpr std::int64_t kDrawnChannels = 5;
 
-nn::Conv2d convolution(std::int64_t in, std::int64_t out, std::int64_t kernel,
-                       std::int64_t stride) {
-  return nn::Conv2d(nn::Conv2dOptions(in, out, kernel).stride(stride).padding((kernel - 1) / 2));
+std::int64_t latentChannels(EncoderKind encoder) {
+  return encoder == EncoderKind::kObjectCentred ? 96 : 64;
 }
-
-nn::GroupNorm normalization(std::int64_t channels) {
-  return nn::GroupNorm(nn::GroupNormOptions(8, channels));
-}
-
-/// x + conv(relu(norm(conv(relu(norm(x)))))). [B, C, H, W] -> [B, C, H, W].
-class ResidualBlockImpl : public nn::Module {
- public:
-  explicit ResidualBlockImpl(std::int64_t channels)
-      : body_(register_module(
-            "body", nn::Sequential(normalization(channels), nn::ReLU(),
-                                   convolution(channels, channels, 3, 1), normalization(channels),
-                                   nn::ReLU(), convolution(channels, channels, 3, 1)))) {}
-
-  torch::Tensor forward(const torch::Tensor& x) { return x + body_->forward(x); }
-
- private:
-  nn::Sequential body_;
-};
-TORCH_MODULE(ResidualBlock);
-
-/// Convolution and pixel shuffle. [B, in, H, W] -> [B, out, 2H, 2W].
-class UpsamplingImpl : public nn::Module {
- public:
-  UpsamplingImpl(std::int64_t in, std::int64_t out)
-      : convolution_(register_module("convolution", convolution(in, 4 * out, 3, 1))) {}
-
-  torch::Tensor forward(const torch::Tensor& x) { return torch::pixel_shuffle(convolution_(x), 2); }
-
- private:
-  nn::Conv2d convolution_;
-};
-TORCH_MODULE(Upsampling);
-
-/// Concept queries cross-attend to image tokens, then each passes a perceptron; concept tokens
-/// never attend to each other. Source: Visual Concepts Tokenization, arXiv 2205.10093.
-class CrossAttentionLayerImpl : public nn::Module {
- public:
-  CrossAttentionLayerImpl()
-      : query_norm_(register_module("query_norm", layerNorm())),
-        image_norm_(register_module("image_norm", layerNorm())),
-        query_(register_module("query", nn::Linear(kTokenWidth, kTokenWidth))),
-        key_(register_module("key", nn::Linear(kTokenWidth, kTokenWidth))),
-        value_(register_module("value", nn::Linear(kTokenWidth, kTokenWidth))),
-        out_(register_module("out", nn::Linear(kTokenWidth, kTokenWidth))),
-        perceptron_(register_module(
-            "perceptron", nn::Sequential(layerNorm(), nn::Linear(kTokenWidth, 2 * kTokenWidth),
-                                         nn::GELU(), nn::Linear(2 * kTokenWidth, kTokenWidth)))) {}
-
-  /// concepts [B, 6, 64], image [B, N, 64] -> [B, 6, 64].
-  torch::Tensor forward(const torch::Tensor& concepts, const torch::Tensor& image) {
-    const auto keys_from = image_norm_(image);
-    const auto q = heads(query_(query_norm_(concepts)));
-    const auto k = heads(key_(keys_from));
-    const auto v = heads(value_(keys_from));
-    const double scale = 1.0 / std::sqrt(static_cast<double>(kTokenWidth / kHeads));
-    const auto attention = torch::softmax(torch::matmul(q, k.transpose(-2, -1)) * scale, -1);
-    const auto mixed = torch::matmul(attention, v).transpose(1, 2).reshape(concepts.sizes());
-    const auto attended = concepts + out_(mixed);
-    return attended + perceptron_->forward(attended);
-  }
-
- private:
-  static nn::LayerNorm layerNorm() { return nn::LayerNorm(nn::LayerNormOptions({kTokenWidth})); }
-
-  static torch::Tensor heads(const torch::Tensor& x) {
-    return x.view({x.size(0), x.size(1), kHeads, kTokenWidth / kHeads}).transpose(1, 2);
-  }
-
-  nn::LayerNorm query_norm_, image_norm_;
-  nn::Linear query_, key_, value_, out_;
-  nn::Sequential perceptron_;
-};
-TORCH_MODULE(CrossAttentionLayer);
 
 /// 64 x 64 crop, 5 channels -> 8 x 8.
-nn::Sequential objectCentredEncoder() {
+nn::Sequential objectCentredEncoder(std::int64_t channels) {
   return nn::Sequential(nn::Conv2d(nn::Conv2dOptions(5, 32, 4).stride(2).padding(1)), nn::ReLU(),
                         convolution(32, 64, 3, 2), normalization(64), nn::ReLU(),
-                        convolution(64, kLatentChannels, 3, 2), ResidualBlock(kLatentChannels),
-                        ResidualBlock(kLatentChannels));
+                        convolution(64, channels, 3, 2), ResidualBlock(channels),
+                        ResidualBlock(channels));
+}
+
+/// 8 x 8 -> 64 x 64.
+nn::Sequential objectCentredDecoder(std::int64_t channels) {
+  return nn::Sequential(ResidualBlock(channels), nn::ReLU(), Upsampling(channels, 48),
+                        normalization(48), nn::ReLU(), Upsampling(48, 24), normalization(24),
+                        nn::ReLU(), Upsampling(24, 16), nn::ReLU(),
+                        convolution(16, kDrawnChannels, 3, 1));
 }
 
 /// 256 x 256 frame, 4 channels -> 8 x 8: 3 convolutions and 2 residual blocks, then 4 and 2, as
 /// the authors describe it.
-nn::Sequential fullFrameEncoder() {
-  return nn::Sequential(convolution(4, 16, 3, 2), nn::ReLU(), convolution(16, 32, 3, 2), nn::ReLU(),
-                        convolution(32, 64, 3, 2), ResidualBlock(64), ResidualBlock(64),
-                        convolution(64, 64, 3, 2), nn::ReLU(), convolution(64, 96, 3, 2),
-                        nn::ReLU(), convolution(96, 96, 3, 1), nn::ReLU(),
-                        convolution(96, kLatentChannels, 3, 1), ResidualBlock(kLatentChannels),
-                        ResidualBlock(kLatentChannels));
+nn::Sequential fullFrameEncoder(std::int64_t channels) {
+  return nn::Sequential(
+      convolution(4, 16, 3, 2), nn::ReLU(), convolution(16, 32, 3, 2), nn::ReLU(),
+      convolution(32, 64, 3, 2), ResidualBlock(64), ResidualBlock(64), convolution(64, 64, 3, 2),
+      nn::ReLU(), convolution(64, 64, 3, 2), nn::ReLU(), convolution(64, 64, 3, 1), nn::ReLU(),
+      convolution(64, channels, 3, 1), ResidualBlock(channels), ResidualBlock(channels));
+}
+
+/// 8 x 8 -> 256 x 256: the encoder's mirror image.
+nn::Sequential fullFrameDecoder(std::int64_t channels) {
+  return nn::Sequential(
+      transposedConvolution(channels, 64, 1), nn::ReLU(), transposedConvolution(64, 64, 1),
+      nn::ReLU(), transposedConvolution(64, 64, 2), nn::ReLU(), transposedConvolution(64, 64, 2),
+      ResidualBlock(64), ResidualBlock(64), transposedConvolution(64, 32, 2), nn::ReLU(),
+      transposedConvolution(32, 16, 2), nn::ReLU(), transposedConvolution(16, 16, 2),
+      ResidualBlock(16), ResidualBlock(16), nn::ReLU(), convolution(16, kDrawnChannels, 3, 1));
+}
+
+nn::ModuleList crossAttention() {
+  nn::ModuleList layers;
+  for (int layer = 0; layer < 3; ++layer) layers->push_back(CrossAttentionLayer());
+  return layers;
+}
+
+torch::Tensor attend(const nn::ModuleList& layers, torch::Tensor queries,
+                     const torch::Tensor& context) {
+  for (const auto& layer : *layers)
+    queries = layer->as<CrossAttentionLayer>()->forward(queries, context);
+  return queries;
+}
+
+/// [N, 64] -> [B, N, 64].
+torch::Tensor forEach(std::int64_t batch, const torch::Tensor& queries) {
+  return queries.unsqueeze(0).expand({batch, queries.size(0), queries.size(1)});
 }
 
 }  // namespace
 
 ConceptNetworkImpl::ConceptNetworkImpl(EncoderKind encoder) : encoder_kind_(encoder) {
-  encoder_ =
-      register_module("encoder", encoder == EncoderKind::kObjectCentred ? objectCentredEncoder()
-                                                                        : fullFrameEncoder());
-  location_embedding_ = register_module(
-      "location_embedding", nn::Sequential(nn::Linear(3, 64), nn::GELU(), nn::Linear(64, 64),
-                                           nn::GELU(), nn::Linear(64, kTokenWidth)));
+  const bool centred = encoder == EncoderKind::kObjectCentred;
+  const std::int64_t channels = latentChannels(encoder);
+  encoder_ = register_module("encoder",
+                             centred ? objectCentredEncoder(channels) : fullFrameEncoder(channels));
+  if (centred)
+    location_embedding_ = register_module(
+        "location_embedding", nn::Sequential(nn::Linear(3, 64), nn::GELU(), nn::Linear(64, 64),
+                                             nn::GELU(), nn::Linear(64, kTokenWidth)));
   concept_queries_ =
       register_parameter("concept_queries", torch::randn({kConceptCount, kTokenWidth}));
   positions_ = register_parameter("positions", 0.5 * torch::randn({kCells, kTokenWidth}));
-  image_tokens_ = register_module("image_tokens", nn::Linear(kLatentChannels, kTokenWidth));
-  tokenizer_layers_ = register_module("tokenizer_layers", nn::ModuleList());
-  for (int layer = 0; layer < 3; ++layer) tokenizer_layers_->push_back(CrossAttentionLayer());
+  image_tokens_ = register_module("image_tokens", nn::Linear(channels, kTokenWidth));
+  tokenizer_layers_ = register_module("tokenizer_layers", crossAttention());
   to_tokens_ = register_module("to_tokens", nn::Linear(kTokenWidth, kTokenWidth));
-  detokenizer_ = register_module(
-      "detokenizer", nn::Sequential(nn::Linear(kConceptCount * kTokenWidth, 512), nn::GELU(),
-                                    nn::Linear(512, 512), nn::GELU(), nn::Linear(512, 64 * 16)));
-  detokenizer_upsampling_ = register_module(
-      "detokenizer_upsampling",
-      nn::Sequential(nn::ReLU(), Upsampling(64, kLatentChannels), ResidualBlock(kLatentChannels)));
-  decoder_ = register_module(
-      "decoder",
-      nn::Sequential(ResidualBlock(kLatentChannels), nn::ReLU(), Upsampling(kLatentChannels, 48),
-                     normalization(48), nn::ReLU(), Upsampling(48, 24), normalization(24),
-                     nn::ReLU(), Upsampling(24, 16), nn::ReLU(), convolution(16, 5, 3, 1)));
+  if (centred) {
+    detokenizer_ = register_module(
+        "detokenizer", nn::Sequential(nn::Linear(kConceptCount * kTokenWidth, 512), nn::GELU(),
+                                      nn::Linear(512, 512), nn::GELU(), nn::Linear(512, 64 * 16)));
+    detokenizer_upsampling_ = register_module(
+        "detokenizer_upsampling",
+        nn::Sequential(nn::ReLU(), Upsampling(64, channels), ResidualBlock(channels)));
+  } else {
+    image_queries_ = register_parameter("image_queries", torch::randn({kCells, kTokenWidth}));
+    detokenizer_layers_ = register_module("detokenizer_layers", crossAttention());
+    to_latent_ = register_module("to_latent", nn::Linear(kTokenWidth, channels));
+  }
+  decoder_ = register_module("decoder",
+                             centred ? objectCentredDecoder(channels) : fullFrameDecoder(channels));
   locator_ = register_module("locator", nn::Sequential(nn::Linear(kConceptCount * kTokenWidth, 128),
                                                        nn::GELU(), nn::Linear(128, 3)));
   for (const Concept which : kConcepts)
@@ -150,21 +115,28 @@ ConceptNetworkImpl::ConceptNetworkImpl(EncoderKind encoder) : encoder_kind_(enco
 }
 
 torch::Tensor ConceptNetworkImpl::encode(const torch::Tensor& planes) {
-  return encoder_->forward(planes.contiguous(torch::MemoryFormat::ChannelsLast));
+  const bool centred = encoder_kind_ == EncoderKind::kObjectCentred;
+  return encoder_->forward(
+      (centred ? planes : planes.slice(1, 0, 4)).contiguous(torch::MemoryFormat::ChannelsLast));
 }
 
 torch::Tensor ConceptNetworkImpl::tokenize(const torch::Tensor& z, const torch::Tensor& location) {
-  const auto cells = z.flatten(2).transpose(1, 2);  // [B, 64, 96]
-  const auto image = image_tokens_(cells) + positions_;
-  const auto where = location_embedding_->forward(location).unsqueeze(1);
-  const auto context = torch::cat({image, where}, 1);  // [B, 65, 64]
-  auto tokens = concept_queries_.unsqueeze(0).expand({z.size(0), kConceptCount, kTokenWidth});
-  for (const auto& layer : *tokenizer_layers_)
-    tokens = layer->as<CrossAttentionLayer>()->forward(tokens, context);
+  const auto cells = z.flatten(2).transpose(1, 2);  // [B, 64, channels]
+  auto context = image_tokens_(cells) + positions_;
+  if (encoder_kind_ == EncoderKind::kObjectCentred)
+    context = torch::cat({context, location_embedding_->forward(location).unsqueeze(1)}, 1);
+  const auto tokens = attend(tokenizer_layers_, forEach(z.size(0), concept_queries_), context);
   return torch::layer_norm(to_tokens_(tokens), {kTokenWidth});
 }
 
 torch::Tensor ConceptNetworkImpl::detokenize(const torch::Tensor& tokens) {
+  if (encoder_kind_ == EncoderKind::kFullFrame) {
+    const auto cells = attend(detokenizer_layers_, forEach(tokens.size(0), image_queries_), tokens);
+    return to_latent_(cells)
+        .transpose(1, 2)
+        .reshape({tokens.size(0), -1, kLatentEdge, kLatentEdge})
+        .contiguous(torch::MemoryFormat::ChannelsLast);
+  }
   const auto coarse = detokenizer_->forward(tokens.flatten(1)).view({tokens.size(0), 64, 4, 4});
   return detokenizer_upsampling_->forward(coarse.contiguous(torch::MemoryFormat::ChannelsLast));
 }

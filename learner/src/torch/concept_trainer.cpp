@@ -41,10 +41,11 @@ AnchorBatch drawBatch(const ConceptImages& images, const AnchorSampler& sampler,
   return {encoderBatch(inputs), differs, differs.nonzero()};
 }
 
-/// The terms of Eq. (3) that the decoder learns from, on `most` pairs drawn from a batch: the
+/// The terms of Eq. (3) that the decoder learns from, on some pairs of a batch: the
 /// anchor from its own tokens, the partner from the anchor's tokens with one substituted, Eq. (1),
 /// and the direct branch from the anchor's latent embedding. @returns their weighted sum.
-torch::Tensor drawingLoss(ConceptNetwork& network, const AnchorBatch& batch, const torch::Tensor& z,
+torch::Tensor drawingLoss(ConceptNetwork& network, const AnchorBatch& batch,
+                          const torch::Tensor& planes, const torch::Tensor& z,
                           const torch::Tensor& tokens, const ConceptTrainingOptions& options,
                           std::mt19937_64& generator, ConceptLosses& losses) {
   if (batch.pairs.size(0) == 0) return torch::zeros({});
@@ -62,11 +63,11 @@ torch::Tensor drawingLoss(ConceptNetwork& network, const AnchorBatch& batch, con
   const auto substituted = torch::where(one_hot, tokens.index({second}), tokens.index({first}));
   const auto both = torch::cat({tokens.index({first}), substituted});
   const auto targets = torch::cat({first, second});
-  const auto crops = batch.images.bytes.index({targets}).to(torch::kFloat) / 255.0;
+  const auto truth = planes.index({targets});
   const auto reconstruction = 2 * reconstructionLoss(network->decode(network->detokenize(both)),
-                                                     crops, options.foreground_weight);
+                                                     truth, options.foreground_weight);
   const auto direct =
-      reconstructionLoss(network->decode(z.index({first})), crops.slice(0, 0, first.size(0)),
+      reconstructionLoss(network->decode(z.index({first})), truth.slice(0, 0, first.size(0)),
                          options.foreground_weight);
   const auto location =
       torch::smooth_l1_loss(network->locate(both), batch.images.location.index({targets}), 1, 0.05);
@@ -82,6 +83,19 @@ ConceptNetwork seededNetwork(EncoderKind encoder, std::uint64_t seed) {
   return ConceptNetwork(encoder);
 }
 
+/// Concept tokenizer and detokenizer first, all else second.
+std::vector<torch::optim::OptimizerParamGroup> parameterGroups(const ConceptNetworkImpl& network) {
+  std::vector<torch::Tensor> tokenizers, others;
+  for (const auto& parameter : network.named_parameters()) {
+    const std::string& name = parameter.key();
+    const bool of_tokenizer = name.find("token") != std::string::npos ||
+                              name.find("queries") != std::string::npos || name == "positions" ||
+                              name.starts_with("to_latent");
+    (of_tokenizer ? tokenizers : others).push_back(parameter.value());
+  }
+  return {torch::optim::OptimizerParamGroup(tokenizers), torch::optim::OptimizerParamGroup(others)};
+}
+
 }  // namespace
 
 ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options)
@@ -90,7 +104,7 @@ ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainin
       sampler_(images),
       network_(seededNetwork(options.encoder, options.seed)),
       average_(options.encoder),
-      optimizer_(network_->parameters(),
+      optimizer_(parameterGroups(*network_),
                  torch::optim::AdamWOptions(options.learning_rate).weight_decay(1e-4)) {
   copyParameters(*average_, *network_);
 }
@@ -102,24 +116,31 @@ void ConceptTrainer::startFrom(const NamedTensors& tensors, const std::filesyste
 
 ConceptLosses ConceptTrainer::step() {
   auto generator = stepGenerator(options_.seed, steps_done_);
-  // The second phase draws from the tokens of the network that is kept.
-  if (steps_done_ == options_.encoder_steps) copyParameters(*network_, *average_);
+  const auto progress = [this](std::int64_t begin, std::int64_t steps) {
+    return static_cast<double>(steps_done_ - begin) / static_cast<double>(steps);
+  };
+  const std::int64_t sharpening_from = options_.encoder_steps;
+  const std::int64_t decoder_from = sharpening_from + options_.sharpening_steps;
+  // The third phase draws from the tokens of the network that is kept.
+  if (steps_done_ == decoder_from) copyParameters(*network_, *average_);
   const ConceptLosses losses =
-      steps_done_ < options_.encoder_steps ? encoderStep(generator) : decoderStep(generator);
+      steps_done_ < sharpening_from ? tokenStep(generator, progress(0, sharpening_from), false)
+      : steps_done_ < decoder_from
+          ? tokenStep(generator, progress(sharpening_from, options_.sharpening_steps), true)
+          : decoderStep(generator, progress(decoder_from, options_.decoder_steps));
   ++steps_done_;
   updateAverage(*average_, *network_, options_.averaging, steps_done_);
   return losses;
 }
 
-ConceptLosses ConceptTrainer::encoderStep(std::mt19937_64& generator) {
+ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progress,
+                                        bool sharpening) {
   const AnchorBatch batch =
       drawBatch(images_, sampler_, options_.groups, options_.augmentation, generator);
-  const auto z =
-      network_->encode(encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder));
+  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
+  const auto z = network_->encode(planes);
   const auto tokens = network_->tokenize(z, batch.images.location);
   const auto groups = tokens.view({options_.groups, kGroupImages, kNumConcepts, kTokenWidth});
-  const double progress =
-      static_cast<double>(steps_done_) / static_cast<double>(options_.encoder_steps);
 
   ConceptLosses losses;
   // Eq. (2) on each anchor and its partners that differ from it.
@@ -142,27 +163,27 @@ ConceptLosses ConceptTrainer::encoderStep(std::mt19937_64& generator) {
   losses.use = use.item<double>();
   losses.confidence = confidence.item<double>();
   auto total = options_.disentangling_weight * disentangling + options_.pair_weight * pair +
-               options_.use_weight * use + options_.confidence_weight * progress * confidence;
-  if (progress >= options_.reconstruction_start)
-    total = total + drawingLoss(network_, batch, z, tokens, options_, generator, losses);
+               options_.use_weight * use;
+  if (sharpening) total = total + options_.confidence_weight * confidence;
+  if (!sharpening && progress >= options_.reconstruction_start)
+    total = total + drawingLoss(network_, batch, planes, z, tokens, options_, generator, losses);
   descend(total, progress);
   return losses;
 }
 
-ConceptLosses ConceptTrainer::decoderStep(std::mt19937_64& generator) {
+ConceptLosses ConceptTrainer::decoderStep(std::mt19937_64& generator, double progress) {
   const AnchorBatch batch =
       drawBatch(images_, sampler_, options_.decoder_groups, kNoAugmentation, generator);
+  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
   torch::Tensor z, tokens;
   {
     const torch::NoGradGuard fixed;
-    z = network_->encode(
-        encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder));
+    z = network_->encode(planes);
     tokens = network_->tokenize(z, batch.images.location);
   }
   ConceptLosses losses;
-  const auto total = drawingLoss(network_, batch, z, tokens, options_, generator, losses);
-  descend(total, static_cast<double>(steps_done_ - options_.encoder_steps) /
-                     static_cast<double>(options_.decoder_steps));
+  const auto total = drawingLoss(network_, batch, planes, z, tokens, options_, generator, losses);
+  descend(total, progress);
   return losses;
 }
 
@@ -170,9 +191,13 @@ void ConceptTrainer::descend(const torch::Tensor& loss, double progress) {
   // Without a gradient the optimizer leaves a parameter alone; with one of zero it would decay it.
   for (auto& parameter : network_->parameters()) parameter.mutable_grad() = torch::Tensor();
   if (!loss.requires_grad()) return;
-  for (auto& group : optimizer_.param_groups())
-    static_cast<torch::optim::AdamWOptions&>(group.options())
-        .lr(options_.learning_rate * learningRateShare(progress, options_.warm_up));
+  const double share = learningRateShare(progress, options_.warm_up);
+  const auto setRate = [&](std::size_t group, double rate) {
+    static_cast<torch::optim::AdamWOptions&>(optimizer_.param_groups()[group].options())
+        .lr(rate * share);
+  };
+  setRate(0, options_.learning_rate * options_.tokenizer_rate_share);
+  setRate(1, options_.learning_rate);
   loss.backward();
   torch::nn::utils::clip_grad_norm_(network_->parameters(), 5.0);
   optimizer_.step();

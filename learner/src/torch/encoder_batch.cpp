@@ -5,8 +5,29 @@
 
 namespace conceptplan {
 namespace {
+
 constexpr std::int64_t kEdge = EncoderInput::kEdge;
+
+/// Copies between a crop and its place in a frame of 384 x 256, as far as it lies within.
+/// frame [c, 256, 384], crop [c, 64, 64], location [3].
+void copyCrop(torch::Tensor frame, torch::Tensor crop, const torch::Tensor& location,
+              bool into_frame) {
+  const auto left = std::lround((location[0].item<float>() + 1) * (kFrameWidth / 2.0)) - kEdge / 2;
+  const auto top = std::lround((location[1].item<float>() + 1) * (kFrameHeight / 2.0)) - kEdge / 2;
+  const std::int64_t x0 = std::clamp<std::int64_t>(left, 0, kFrameWidth);
+  const std::int64_t y0 = std::clamp<std::int64_t>(top, 0, kFrameHeight);
+  const std::int64_t x1 = std::clamp<std::int64_t>(left + kEdge, 0, kFrameWidth);
+  const std::int64_t y1 = std::clamp<std::int64_t>(top + kEdge, 0, kFrameHeight);
+  if (x1 <= x0 || y1 <= y0) return;
+  const auto in_frame = frame.slice(1, y0, y1).slice(2, x0, x1);
+  const auto in_crop = crop.slice(1, y0 - top, y1 - top).slice(2, x0 - left, x1 - left);
+  if (into_frame)
+    in_frame.copy_(in_crop);
+  else
+    in_crop.copy_(in_frame);
 }
+
+}  // namespace
 
 EncoderBatch encoderBatch(std::span<const EncoderInput> inputs) {
   const auto count = static_cast<std::int64_t>(inputs.size());
@@ -25,19 +46,16 @@ torch::Tensor encoderPlanes(const torch::Tensor& bytes, const torch::Tensor& loc
                             EncoderKind encoder) {
   const auto planes = bytes.to(torch::kFloat) / 255.0;
   if (encoder == EncoderKind::kObjectCentred) return planes;
-  auto frame = torch::zeros({bytes.size(0), 4, kFrameHeight, kFrameWidth});
-  for (std::int64_t i = 0; i < bytes.size(0); ++i) {
-    const auto left = std::lround((location[i][0].item<float>() + 1) * (kFrameWidth / 2.0)) - 32;
-    const auto top = std::lround((location[i][1].item<float>() + 1) * (kFrameHeight / 2.0)) - 32;
-    const std::int64_t x0 = std::clamp<std::int64_t>(left, 0, kFrameWidth);
-    const std::int64_t y0 = std::clamp<std::int64_t>(top, 0, kFrameHeight);
-    const std::int64_t x1 = std::clamp<std::int64_t>(left + kEdge, 0, kFrameWidth);
-    const std::int64_t y1 = std::clamp<std::int64_t>(top + kEdge, 0, kFrameHeight);
-    if (x1 <= x0 || y1 <= y0) continue;
-    frame[i].slice(1, y0, y1).slice(2, x0, x1).copy_(
-        planes[i].slice(0, 0, 4).slice(1, y0 - top, y1 - top).slice(2, x0 - left, x1 - left));
-  }
-  return torch::adaptive_avg_pool2d(frame, {256, 256});
+  auto frame = torch::zeros({bytes.size(0), EncoderInput::kChannels, kFrameHeight, kFrameWidth});
+  for (std::int64_t i = 0; i < bytes.size(0); ++i) copyCrop(frame[i], planes[i], location[i], true);
+  return torch::adaptive_avg_pool2d(frame, {kFullFrameEdge, kFullFrameEdge});
+}
+
+torch::Tensor cropsOf(const torch::Tensor& frames, const torch::Tensor& location) {
+  const auto wide = torch::upsample_bilinear2d(frames, {kFrameHeight, kFrameWidth}, false);
+  auto crops = torch::zeros({frames.size(0), frames.size(1), kEdge, kEdge});
+  for (std::int64_t i = 0; i < frames.size(0); ++i) copyCrop(wide[i], crops[i], location[i], false);
+  return crops;
 }
 
 }  // namespace conceptplan

@@ -47,9 +47,10 @@ TEST(ResultJson, HasTheStableNamesInOrder) {
   const Json json = resultJson(kKey, solved({{Action::kMoveFront}}));
   std::string names;
   for (const auto& [name, value] : json.items()) names += name + " ";
-  EXPECT_EQ(names,
-            "scenario planner seed status reason plans evaluation times_ms statistics refinement "
-            "version ");
+  EXPECT_EQ(
+      names,
+      "scenario planner seed status reason plans evaluation doubts times_ms statistics refinement "
+      "version ");
   EXPECT_EQ(json["status"], "solved");
   EXPECT_EQ(json["plans"][0].dump(),
             R"({"actions":["move_front"],"probability":0.5,"cost":0.25,"length":1})");

@@ -35,6 +35,23 @@ TEST(Model, ReadsTheSymbolsOfARenderedPicture) {
   EXPECT_EQ(grounding.name(Concept::kColor, pot[index(Concept::kColor)]), "red");
 }
 
+TEST(Model, ReadsManyPicturesAsEachAlone) {
+  Renderer renderer;
+  World other = cupAndPot();
+  other.objects.pop_back();
+  const std::vector<RgbdImage> images{renderer.render(cupAndPot(), {11, {}}),
+                                      renderer.render(other, {12, {}})};
+  const auto percepts = shippedModel().perceive(images);
+  ASSERT_EQ(percepts.size(), 2U);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Percept alone = shippedModel().perceive(images[i]);
+    EXPECT_EQ(percepts[i].instances, alone.instances);
+    EXPECT_EQ(percepts[i].fits, alone.fits);
+    for (std::size_t k = 0; k < alone.tokens.size(); ++k)
+      EXPECT_TRUE(percepts[i].tokens[k].isApprox(alone.tokens[k], 1e-4F));
+  }
+}
+
 TEST(Model, DrawsEveryStepOfAPlan) {
   Renderer renderer;
   const RgbdImage image = renderer.render(cupAndPot(), {11, {}});

@@ -53,6 +53,10 @@ TEST(Report, HoldsEveryPicture) {
             2 + 2 * report.frames.size());
 }
 
+TEST(Report, TellsWhichSymbolsAreGuesses) {
+  EXPECT_THAT(renderReport(sampleReport()), HasSubstr("like none that was learned"));
+}
+
 TEST(Report, LoadsNothingFromANetwork) {
   const std::string page = renderReport(sampleReport());
   EXPECT_THAT(page, Not(HasSubstr("http://")));

@@ -58,6 +58,7 @@ Report sampleReport() {
   report.problem.goal = belief({1, 0, 3, 1, 4, 2}, 0.94);
   report.initial = picture(90, 180, false);
   report.goal = picture(100, 70, true);
+  report.doubts = {"In the goal picture, the TYPE of object 2 is like none that was learned."};
   report.legality_threshold = 0.01;
 
   PlanResult& result = report.result;

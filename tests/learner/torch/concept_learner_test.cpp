@@ -38,15 +38,17 @@ TEST(ConceptLearner, TokensHaveFixedLengthAndDifferBetweenObjects) {
 }
 
 TEST(ConceptLearner, DrawsPicturesInRange) {
-  const ConceptLearner learner(freshTensors(EncoderKind::kObjectCentred),
-                               EncoderKind::kObjectCentred, "m");
-  const std::vector<EncoderInput> inputs{encoderInput(coloredBlob(1))};
-  const auto drawn = learner.draw(learner.encode(inputs));
-  ASSERT_EQ(drawn.size(), 1U);
-  EXPECT_EQ(drawn[0].rgb.size(), 3U * 64 * 64);
-  EXPECT_EQ(drawn[0].alpha.size(), 64U * 64);
-  EXPECT_THAT(drawn[0].rgb, testing::Each(testing::AllOf(testing::Ge(0.0F), testing::Le(1.0F))));
-  EXPECT_TRUE(learner.draw({}).empty());
+  for (const auto encoder : {EncoderKind::kObjectCentred, EncoderKind::kFullFrame}) {
+    const ConceptLearner learner(freshTensors(encoder), encoder, "m");
+    const std::vector<EncoderInput> inputs{encoderInput(coloredBlob(1))};
+    const auto drawn = learner.draw(learner.encode(inputs));
+    ASSERT_EQ(drawn.size(), 1U);
+    EXPECT_EQ(drawn[0].rgb.size(), 3U * 64 * 64);
+    EXPECT_EQ(drawn[0].alpha.size(), 64U * 64);
+    EXPECT_EQ(drawn[0].depth_m.size(), 64U * 64);
+    EXPECT_THAT(drawn[0].rgb, testing::Each(testing::AllOf(testing::Ge(0.0F), testing::Le(1.0F))));
+    EXPECT_TRUE(learner.draw({}).empty());
+  }
 }
 
 TEST(ConceptLearner, NamesEveryTensorThatIsMissingOrMisshapen) {

@@ -20,6 +20,7 @@ ConceptImages twoConcepts() {
 ConceptTrainingOptions smallOptions() {
   ConceptTrainingOptions options;
   options.encoder_steps = 60;
+  options.sharpening_steps = 0;
   options.decoder_steps = 0;
   options.groups = 2;
   options.decoder_groups = 1;
@@ -56,8 +57,7 @@ TEST(ConceptTrainer, TheDecoderJoinsWhenItShould) {
 TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
-  options.encoder_steps = 3;
-  options.decoder_steps = 3;
+  options.encoder_steps = options.sharpening_steps = options.decoder_steps = 2;
   ConceptTrainer whole(images, options);
   for (int i = 0; i < 6; ++i) whole.step();
 
@@ -103,13 +103,22 @@ TEST(ConceptTrainer, RefusesACheckpointThatIsNone) {
   EXPECT_THROW(trainer.restore("not a checkpoint"), c10::Error);
 }
 
-TEST(ConceptTrainer, TrainsThePapersFullFrameEncoderToo) {
+TEST(ConceptTrainer, Eq3FallsOnOneBatchWithThePapersNetworksAndLossesAlone) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
   options.encoder = EncoderKind::kFullFrame;
+  options.encoder_steps = 12;
   options.groups = 1;
+  options.reconstruction_start = 0;
+  options.pair_weight = options.use_weight = options.confidence_weight = 0;
   ConceptTrainer trainer(images, options);
-  EXPECT_GT(trainer.step().disentangling, 0);
+  const auto total = [](const ConceptLosses& losses) {
+    return losses.disentangling + losses.reconstruction + losses.direct;
+  };
+  const double before = total(trainer.step());
+  double after = 0;
+  while (trainer.stepsDone() < options.encoder_steps) after = total(trainer.step());
+  EXPECT_LT(after, 0.8 * before);
 }
 
 }  // namespace

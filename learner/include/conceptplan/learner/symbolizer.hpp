@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "conceptplan/domain/symbols.hpp"
 #include "conceptplan/learner/tokens.hpp"
@@ -11,6 +12,8 @@ namespace conceptplan {
 struct SymbolClusters {
   TokenMatrix centers;     ///< [symbols, 64]
   double temperature = 1;  ///< > 0; squared distance at which a centre is e times less probable
+  /// > 0; a token whose squared distance to every centre is larger fits no symbol.
+  double reach = std::numeric_limits<double>::infinity();
 };
 
 /// Makes symbols of tokens. Source: sigma in Sec. III-B of arXiv 2310.03325; the probabilities are
@@ -18,8 +21,8 @@ struct SymbolClusters {
 /// Immutable; threads may share it.
 class Symbolizer {
  public:
-  /// @throws std::invalid_argument if a concept has no centre, a temperature is not positive, or a
-  /// number is not finite.
+  /// @throws std::invalid_argument if a concept has no centre, a temperature or reach is not
+  /// positive, or a centre or temperature is not finite.
   explicit Symbolizer(std::array<SymbolClusters, kNumConcepts> clusters);
 
   std::array<std::size_t, kNumConcepts> cardinality() const;
@@ -30,6 +33,10 @@ class Symbolizer {
 
   /// The symbol of the nearest centre, for each concept.
   Symbols nearest(const Tokens& tokens) const;
+
+  /// Whether the token of each concept lies within reach of a centre; else the object shows
+  /// something that was never learned, and its symbol is a guess.
+  std::array<bool, kNumConcepts> fits(const Tokens& tokens) const;
 
  private:
   std::array<SymbolClusters, kNumConcepts> clusters_;
@@ -43,6 +50,10 @@ Eigen::VectorXd squaredDistances(const SymbolClusters& clusters,
 /// search on its logarithm. distances [N, symbols]; right [N].
 /// @throws std::invalid_argument if there are no rows or sizes differ.
 double fitTemperature(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right);
+
+/// The reach within which that share of the rows have their nearest symbol. distances [N, symbols],
+/// squared. @throws std::invalid_argument if there are no rows.
+double fitReach(const Eigen::MatrixXd& distances, double share);
 
 /// Expected calibration error over ten bins of confidence, in [0, 1].
 /// Source: Guo et al., ICML 2017. Arguments as `fitTemperature`.

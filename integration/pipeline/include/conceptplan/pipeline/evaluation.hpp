@@ -21,12 +21,15 @@ struct EvaluationOptions {
   const std::atomic<bool>* cancel = nullptr;  ///< evaluation ends soon after it turns true
 };
 
+/// What a set was drawn with, as "test/seen/standard".
+std::string setName(const TaskDatasetOptions& options);
+
 /// The measures of one planner on the tasks of one level. Source: "Evaluation metrics", Sec. IV of
 /// arXiv 2310.03325.
 struct EvaluationRow {
   std::string learner = "scl";
   std::string planner;
-  std::string set;  ///< e.g. "test/seen/standard"
+  std::string set;  ///< see `setName`
   int level = 1;
   std::size_t tasks = 0;
   double asacc_top1 = 0;  ///< percent of tasks that the first plan solves

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct Percept {
   std::vector<std::uint8_t> instances;  ///< ids in the mask
   std::vector<Tokens> tokens;
   std::vector<SymbolBelief> beliefs;
+  std::vector<std::array<bool, kNumConcepts>> fits;  ///< see `Symbolizer::fits`
 
   /// Position of an instance, or `instances.size()` if it is not seen.
   std::size_t position(std::uint8_t instance) const;
@@ -43,6 +46,8 @@ class Model {
   std::size_t numParameters() const;
 
   Percept perceive(const RgbdImage& image) const;
+  /// The same for many pictures, all their objects encoded together.
+  std::vector<Percept> perceive(std::span<const RgbdImage> images) const;
 
   /// The picture, depth and mask after each step of a plan, as ViCT predicts them, [actions].
   /// Tokens go through the causal transition; one that then reads as another symbol than the plan

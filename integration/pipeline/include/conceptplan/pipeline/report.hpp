@@ -30,6 +30,7 @@ struct Report {
   SymbolicProblem problem;              ///< what was read of the pictures
   std::vector<std::uint8_t> instances;  ///< mask id of each object of the problem; empty: 1, 2, ...
   SymbolGrounding grounding;            ///< names and places of the symbols
+  std::vector<std::string> doubts;      ///< sentences on symbols that are guesses
   PlanResult result;
   std::vector<ReportFrames> frames;  ///< one an action of the best plan, or none
   double legality_threshold = 0;     ///< below which the planner refused actions

@@ -37,6 +37,8 @@ struct StageTimes {
 struct Solution {
   SymbolicProblem problem;
   std::vector<std::uint8_t> instances;  ///< mask id of each object of the problem
+  std::vector<std::string>
+      doubts;  ///< what in the pictures fits no learned symbol, a sentence each
   PlanResult result;
   std::vector<RgbdImage> frames;  ///< as `Model::render`, of the best plan; empty if not rendered
   std::optional<Evaluation> evaluation;

@@ -12,8 +12,8 @@
 namespace conceptplan {
 
 /// The names of the training profiles: "cpu" is what two cores learn within an hour; "paper" the
-/// paper's encoder of whole frames, its losses joined from the start, at its learning rate; "smoke"
-/// trains nothing useful in seconds, for tests.
+/// paper's networks on whole frames, with its losses and learning rates alone, which two cores
+/// would train for weeks; "smoke" trains nothing useful in seconds, for tests.
 std::vector<std::string> trainingProfiles();
 
 struct TrainingOptions {

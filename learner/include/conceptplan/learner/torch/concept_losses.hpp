@@ -8,7 +8,7 @@ namespace conceptplan {
 
 /// Squared error of a drawn object against the truth, each pixel of the object weighted
 /// `foreground_weight` times one of the background, plus that of its depth where the object is, and
-/// the cross-entropy of its mask. planes [B, 5, 64, 64] as of `EncoderInput`, in 0..1 -> scalar.
+/// the cross-entropy of its mask. planes [B, 5, E, E] as of `EncoderInput`, in 0..1 -> scalar.
 /// Source: L_MSE in Eq. (1) of arXiv 2310.03325; weight, depth and mask are ours.
 torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
                                  double foreground_weight);

@@ -12,33 +12,36 @@ namespace conceptplan {
 
 inline constexpr std::int64_t kTokenWidth = 64;
 
-/// Colour, mask and relative depth of an object, as the decoder draws them.
+/// Colour, mask and relative depth of an object, as the decoder draws them; E is 64 for a crop, 256
+/// for a whole frame.
 struct DecodedObject {
-  torch::Tensor rgb;          ///< [B, 3, 64, 64], 0 to 1
-  torch::Tensor mask_logits;  ///< [B, 1, 64, 64]
-  torch::Tensor depth;        ///< [B, 1, 64, 64], 0 to 1, as the depth plane of `EncoderInput`
+  torch::Tensor rgb;          ///< [B, 3, E, E], 0 to 1
+  torch::Tensor mask_logits;  ///< [B, 1, E, E]
+  torch::Tensor depth;        ///< [B, 1, E, E], 0 to 1, as the depth plane of `EncoderInput`
 };
 
 /// The Substitution-based Concept Learner: encoder, concept tokenizer, concept detokenizer and
-/// decoder. Source: Sec. III-A of arXiv 2310.03325. Departures, each for what two CPU cores can
-/// learn: object-centred input by default; tokens are normalised to a fixed length without
-/// parameters; the detokenizer is a perceptron; up-sampling is convolution and pixel shuffle; the
-/// decoder draws the object's crop, mask and depth, and says where the crop lies.
+/// decoder. Source: Sec. III-A of arXiv 2310.03325 and, for the layers of `kFullFrame`, the
+/// authors' page. Departures of `kObjectCentred`, each for what two CPU cores can learn: an
+/// object's crop and its location for the whole frame; a perceptron as detokenizer; convolution and
+/// pixel shuffle for transposed convolution. Both normalise tokens to a fixed length without
+/// parameters, draw mask and depth beside colours, and say where the crop lies.
 class ConceptNetworkImpl : public torch::nn::Module {
  public:
   explicit ConceptNetworkImpl(EncoderKind encoder = EncoderKind::kObjectCentred);
 
-  /// Latent embedding Z. planes [B, 5, 64, 64] (full frame: [B, 4, 256, 256]) in 0..1
-  /// -> [B, 96, 8, 8].
+  /// Latent embedding Z. planes [B, 5, 64, 64] (full frame: [B, 5, 256, 256], of which
+  /// the mask is not read) in 0..1 -> [B, c, 8, 8] with c = 96 (full frame: 64).
   torch::Tensor encode(const torch::Tensor& planes);
 
-  /// Concept tokens C. z [B, 96, 8, 8], location [B, 3] -> [B, 6, 64], each of length 8.
+  /// Concept tokens C. z [B, c, 8, 8], location [B, 3], not read of full frames -> [B, 6, 64], each
+  /// of length 8.
   torch::Tensor tokenize(const torch::Tensor& z, const torch::Tensor& location);
 
-  /// Latent embedding Z'. tokens [B, 6, 64] -> [B, 96, 8, 8].
+  /// Latent embedding Z'. tokens [B, 6, 64] -> [B, c, 8, 8].
   torch::Tensor detokenize(const torch::Tensor& tokens);
 
-  /// z [B, 96, 8, 8] -> the object's picture.
+  /// z [B, c, 8, 8] -> the object's picture.
   DecodedObject decode(const torch::Tensor& z);
 
   /// Where the object's crop lies. tokens [B, 6, 64] -> [B, 3], as `EncoderInput::location`.
@@ -60,6 +63,9 @@ class ConceptNetworkImpl : public torch::nn::Module {
   torch::nn::Linear to_tokens_{nullptr};
   torch::nn::Sequential detokenizer_{nullptr};
   torch::nn::Sequential detokenizer_upsampling_{nullptr};
+  torch::Tensor image_queries_;  // [64, 64]: one query a cell of Z'; full frame
+  torch::nn::ModuleList detokenizer_layers_{nullptr};
+  torch::nn::Linear to_latent_{nullptr};
   torch::nn::Sequential decoder_{nullptr};
   torch::nn::Sequential locator_{nullptr};
   std::vector<torch::Tensor> prototypes_;  // a concept: [values, 64]

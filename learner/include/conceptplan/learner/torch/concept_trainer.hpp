@@ -17,23 +17,23 @@ namespace conceptplan {
 
 struct ConceptTrainingOptions {
   EncoderKind encoder = EncoderKind::kObjectCentred;
-  std::int64_t encoder_steps = 4000;  ///< first phase: the tokens are learned
-  std::int64_t decoder_steps = 2000;  ///< second phase: the decoder learns, the rest is fixed
-  std::int64_t groups = 24;           ///< anchor groups a step, seven images each
-  std::int64_t decoder_groups = 6;    ///< the same in the second phase
-  double learning_rate = 1.5e-3;      ///< of AdamW, at the peak of a phase; cosine to a fiftieth
-  double warm_up = 0.03;              ///< share of a phase in which the rate rises
-  /// Share of the first phase after which the decoder joins, its gradient reaching the encoder as
-  /// in Eq. (3); 1: it learns in the second phase alone.
-  double reconstruction_start = 1;
+  std::int64_t encoder_steps = 2700;    ///< first phase: tokens, and from some step on the decoder
+  std::int64_t sharpening_steps = 700;  ///< second phase: tokens become certain; no decoder
+  std::int64_t decoder_steps = 1500;    ///< third phase: the decoder learns, the rest is fixed
+  std::int64_t groups = 24;             ///< anchor groups a step, seven images each
+  std::int64_t decoder_groups = 6;      ///< the same in the third phase
+  double learning_rate = 1.5e-3;        ///< of AdamW, at the peak of a phase; cosine to a fiftieth
+  double tokenizer_rate_share = 1;      ///< of the rate, for concept tokenizer and detokenizer
+  double warm_up = 0.03;                ///< share of a phase in which the rate rises
+  /// Share of the first phase after which the decoder learns too, its gradient reaching the encoder
+  /// as in Eq. (3).
+  double reconstruction_start = 0.5;
   std::int64_t reconstructed_pairs = 16;  ///< pairs a step that the decoder draws
   double foreground_weight = 10;
-  double disentangling_weight = 1;  ///< of Eq. (2)
-  double pair_weight = 1;           ///< of the pair likelihood
-  double use_weight = 0.5;          ///< of the prototypes' even use
-  /// Of the entropy of single images over prototypes, at the end of the first phase; it rises from
-  /// 0.
-  double confidence_weight = 0.6;
+  double disentangling_weight = 1;    ///< of Eq. (2)
+  double pair_weight = 1;             ///< of the pair likelihood
+  double use_weight = 0.5;            ///< of the prototypes' even use
+  double confidence_weight = 0.6;     ///< of the entropy of single images, in the second phase
   double reconstruction_weight = 10;  ///< of Eq. (1) and of the direct branch
   double averaging = 0.998;           ///< decay of the weights' moving average
   AugmentationOptions augmentation;
@@ -52,8 +52,8 @@ struct ConceptLosses {
 };
 
 /// Trains the concept network on anchor groups: Eq. (3) of arXiv 2310.03325, with the pair
-/// likelihood on prototypes beside it, in two phases. Each step draws from a generator of its own,
-/// so that a resumed run takes the same steps.
+/// likelihood on prototypes beside it, in three phases. Each step draws from a generator of its
+/// own, so that a resumed run takes the same steps.
 class ConceptTrainer {
  public:
   /// Keeps a reference to `images`.
@@ -65,7 +65,9 @@ class ConceptTrainer {
 
   ConceptLosses step();
   std::int64_t stepsDone() const { return steps_done_; }
-  std::int64_t stepsInAll() const { return options_.encoder_steps + options_.decoder_steps; }
+  std::int64_t stepsInAll() const {
+    return options_.encoder_steps + options_.sharpening_steps + options_.decoder_steps;
+  }
 
   /// The network with the moving average of its weights; shares nothing with the one in training.
   ConceptNetwork averaged() const;
@@ -76,9 +78,9 @@ class ConceptTrainer {
   void restore(const std::string& checkpoint);
 
  private:
-  ConceptLosses encoderStep(std::mt19937_64& generator);
-  ConceptLosses decoderStep(std::mt19937_64& generator);
-  /// Descends along a loss at a point of its phase in 0..1.
+  /// `progress` is the point of a phase, in 0..1.
+  ConceptLosses tokenStep(std::mt19937_64& generator, double progress, bool sharpening);
+  ConceptLosses decoderStep(std::mt19937_64& generator, double progress);
   void descend(const torch::Tensor& loss, double progress);
 
   const ConceptImages& images_;

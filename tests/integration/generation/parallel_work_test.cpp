@@ -1,4 +1,4 @@
-#include "parallel_work.hpp"
+#include "conceptplan/pipeline/parallel_work.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace conceptplan::cli {
+namespace conceptplan {
 namespace {
 
 TEST(ParallelWork, EveryNumberOnce) {
@@ -14,7 +14,7 @@ TEST(ParallelWork, EveryNumberOnce) {
     std::mutex mutex;
     std::multiset<std::size_t> seen;
     int workers = 0;
-    workInParallel(20, jobs, false, [&]() -> Worker {
+    workInParallel(20, jobs, nullptr, [&]() -> Worker {
       const std::lock_guard lock(mutex);
       ++workers;
       return [&](std::size_t number) {
@@ -29,13 +29,13 @@ TEST(ParallelWork, EveryNumberOnce) {
 }
 
 TEST(ParallelWork, NothingToDo) {
-  workInParallel(0, 2, false, []() -> Worker { return [](std::size_t) { FAIL(); }; });
+  workInParallel(0, 2, nullptr, []() -> Worker { return [](std::size_t) { FAIL(); }; });
 }
 
 TEST(ParallelWork, CancelEndsItSoon) {
   std::atomic<bool> cancel{false};
   std::atomic<int> calls{0};
-  workInParallel(1000, 2, cancel, [&]() -> Worker {
+  workInParallel(1000, 2, &cancel, [&]() -> Worker {
     return [&](std::size_t) {
       if (++calls == 5) cancel = true;
     };
@@ -44,7 +44,7 @@ TEST(ParallelWork, CancelEndsItSoon) {
 }
 
 TEST(ParallelWork, TheFirstExceptionIsThrownAgain) {
-  EXPECT_THROW(workInParallel(100, 2, false,
+  EXPECT_THROW(workInParallel(100, 2, nullptr,
                               []() -> Worker {
                                 return [](std::size_t number) {
                                   if (number == 7) throw std::runtime_error("seven");
@@ -54,4 +54,4 @@ TEST(ParallelWork, TheFirstExceptionIsThrownAgain) {
 }
 
 }  // namespace
-}  // namespace conceptplan::cli
+}  // namespace conceptplan

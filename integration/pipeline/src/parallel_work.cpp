@@ -1,4 +1,4 @@
-#include "parallel_work.hpp"
+#include "conceptplan/pipeline/parallel_work.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -6,9 +6,9 @@
 #include <thread>
 #include <vector>
 
-namespace conceptplan::cli {
+namespace conceptplan {
 
-void workInParallel(std::size_t count, int jobs, const std::atomic<bool>& cancel,
+void workInParallel(std::size_t count, int jobs, const std::atomic<bool>* cancel,
                     const std::function<Worker()>& make_worker) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
@@ -17,7 +17,7 @@ void workInParallel(std::size_t count, int jobs, const std::atomic<bool>& cancel
   const auto work = [&] {
     try {
       const Worker worker = make_worker();
-      while (!cancel && !failed) {
+      while (!failed && !(cancel != nullptr && *cancel)) {
         const std::size_t number = next++;
         if (number >= count) return;
         worker(number);
@@ -36,4 +36,4 @@ void workInParallel(std::size_t count, int jobs, const std::atomic<bool>& cancel
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace conceptplan::cli
+}  // namespace conceptplan
