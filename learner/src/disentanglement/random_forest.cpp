@@ -1,7 +1,8 @@
 #include "disentanglement/random_forest.hpp"
 
-#include <algorithm>
+#include <bitset>
 #include <numeric>
+#include <utility>
 
 namespace conceptplan {
 namespace {
@@ -12,27 +13,51 @@ struct Split {
   int highest_left = 0;
 };
 
-/// n times the Gini impurity of class counts.
-double impurity(const Eigen::VectorXd& counts) {
-  const double n = counts.sum();
-  return n > 0 ? n - counts.squaredNorm() / n : 0;
-}
-
-/// The best split of rows at one dimension, if it beats `best`.
-void improve(Split& best, const QuantileBins& bins, Eigen::Index dimension,
-             const Eigen::VectorXi& labels, const std::vector<Eigen::Index>& rows,
-             const Eigen::VectorXd& counts, Eigen::MatrixXd& histogram) {
-  histogram.setZero();
-  for (const Eigen::Index row : rows) histogram(labels[row], bins(row, dimension)) += 1;
-  const double before = impurity(counts);
-  Eigen::VectorXd left = Eigen::VectorXd::Zero(counts.size());
-  for (int bin = 0; bin + 1 < kQuantileBins; ++bin) {
-    if (histogram.col(bin).isZero(0)) continue;
-    left += histogram.col(bin);
-    const double decrease = before - impurity(left) - impurity(counts - left);
-    if (decrease > best.decrease * (1 + 1e-9) + 1e-9) best = {decrease, dimension, bin};
+/// Finds the splits of nodes; keeps its histogram between them.
+class SplitSearch {
+ public:
+  SplitSearch(const QuantileBins& bins, const Eigen::VectorXi& labels, int classes)
+      : bins_(bins), labels_(labels), histogram_(classes, kQuantileBins) {
+    histogram_.setZero();
   }
-}
+
+  /// The best split of the rows at one dimension, if it is better than `best`.
+  /// @param counts of the rows' classes
+  void improve(Split& best, Eigen::Index dimension, const std::vector<Eigen::Index>& rows,
+               const Eigen::VectorXd& counts) {
+    std::bitset<kQuantileBins> used;
+    for (const Eigen::Index row : rows) {
+      const std::uint8_t bin = bins_(row, dimension);
+      histogram_(labels_[row], bin) += 1;
+      used.set(bin);
+    }
+    // n times the Gini impurity is n less the sum of squared counts over n.
+    const double n = counts.sum(), squares = counts.squaredNorm();
+    double left = 0, left_squares = 0, right_squares = squares;
+    left_counts_.setZero(counts.size());
+    for (int bin = 0; bin < kQuantileBins; ++bin) {
+      if (!used[static_cast<std::size_t>(bin)]) continue;
+      for (Eigen::Index c = 0; c < counts.size(); ++c) {
+        const double moved = histogram_(c, bin);
+        if (moved == 0) continue;
+        left_squares += moved * (2 * left_counts_[c] + moved);
+        right_squares -= moved * (2 * (counts[c] - left_counts_[c]) - moved);
+        left_counts_[c] += moved;
+        left += moved;
+      }
+      histogram_.col(bin).setZero();
+      if (left == n) break;
+      const double decrease = left_squares / left + right_squares / (n - left) - squares / n;
+      if (decrease > best.decrease * (1 + 1e-9) + 1e-9) best = {decrease, dimension, bin};
+    }
+  }
+
+ private:
+  const QuantileBins& bins_;
+  const Eigen::VectorXi& labels_;
+  Eigen::MatrixXd histogram_;  // [classes, bins], zeros between calls
+  Eigen::VectorXd left_counts_;
+};
 
 }  // namespace
 
@@ -50,7 +75,7 @@ RandomForest::Tree RandomForest::grow(const QuantileBins& bins, const Eigen::Vec
                                       std::vector<Eigen::Index> rows,
                                       std::mt19937_64& generator) const {
   const auto all = static_cast<double>(rows.size());
-  Eigen::MatrixXd histogram(classes_, kQuantileBins);
+  SplitSearch search(bins, labels, classes_);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(dimensions_));
   std::iota(order.begin(), order.end(), 0);
   Tree tree(1);
@@ -61,12 +86,11 @@ RandomForest::Tree RandomForest::grow(const QuantileBins& bins, const Eigen::Vec
     for (const Eigen::Index row : here) counts[labels[row]] += 1;
     tree[at].shares = (counts / counts.sum()).cast<float>();
     const int depth = tree[at].depth;
-    if (depth == kMaxDepth || impurity(counts) < 1e-9) continue;
+    if (depth == kMaxDepth || counts.maxCoeff() == counts.sum()) continue;
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[generator() % i]);
     Split split;
-    for (const Eigen::Index dimension : order)
-      improve(split, bins, dimension, labels, here, counts, histogram);
-    if (split.decrease <= 1e-9) continue;
+    for (const Eigen::Index dimension : order) search.improve(split, dimension, here, counts);
+    if (!(split.decrease > 0)) continue;
     tree[at].decrease = split.decrease / all;
     tree[at].dimension = split.dimension;
     tree[at].highest_left = split.highest_left;
