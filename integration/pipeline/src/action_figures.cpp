@@ -122,7 +122,7 @@ Figure tokenChanges(const Material& material, const Effects& effects) {
 
 Figure displacements(const Material& material, const Effects& effects) {
   constexpr double kPanel = 210, kStepX = 240, kStepY = 272, kLeft = 40, kTop = 128;
-  constexpr double kReach = 1.6;  // cells from the middle of a panel to its edge
+  constexpr double kReach = 2;  // cells from the middle of a panel to its edge
   constexpr std::array kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                "#8a6d00", "#56789a", "#c2261c"};
   SvgDrawing drawing(kLeft + 4 * kStepX + 2, kTop + 2 * kStepY - 4, "Displacement by each action",
@@ -166,13 +166,13 @@ Figure displacements(const Material& material, const Effects& effects) {
       points.push_back(
           at(along(Concept::kPositionX, to_column), along(Concept::kPositionY, to_row)));
     }
-    drawing.dots(points, kColors[index(action)], 5);
-    drawing.text({corner.x + kPanel - 6, corner.y + 18}, std::to_string(points.size()) + " objects",
+    drawing.dots(points, kColors[index(action)], 4, 0.4);
+    drawing.text({corner.x + kPanel, corner.y - 12}, std::to_string(points.size()) + " objects",
                  {13, Anchor::kEnd, false, kQuiet});
   }
   const Point note{kLeft + 3 * kStepX, kTop + kStepY + 22};
   const std::array<std::string_view, 6> words{
-      "Across: columns, to the right.",   "Up: rows, away from the camera.",
+      "Across: columns, rightwards.",     "Up: rows, from the camera.",
       "A dot is one object to which the", "action is legal. Turns and the",
       "change of colour leave it where",  "it is: dots in the middle."};
   for (std::size_t i = 0; i < words.size(); ++i)

@@ -89,7 +89,7 @@ void panel(SvgDrawing& drawing, const Material& material, Concept which, Point c
 }  // namespace
 
 Figure clusters(const Material& material) {
-  SvgDrawing drawing(kLeft + 3 * kStepX - 8, kTop + 2 * kStepY - 96,
+  SvgDrawing drawing(kLeft + 3 * kStepX - 8, kTop + 2 * kStepY - 52,
                      "Clusters of the tokens of each concept",
                      "Six panels, one a concept: tokens of single objects in two dimensions, "
                      "coloured by symbol.");
