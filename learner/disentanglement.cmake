@@ -1,4 +1,6 @@
 # Disentanglement measures of any codes; no Torch.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+
 conceptplan_library(disentanglement
   HEADERS
     include/conceptplan/learner/disentanglement/dci.hpp
