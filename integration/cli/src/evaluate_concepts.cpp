@@ -7,10 +7,9 @@ namespace conceptplan::cli {
 
 int evaluateConceptSet(const std::string& folder, const std::string& model, Session& session) {
   const ConceptDataset data(folder);
-  const ConceptEvaluation result =
-      evaluateConcepts(data, Model(findModel(model)),
-                       {session.options.seed, session.options.jobs,
-                        session.console.progress("pictures"), &session.cancel});
+  const ConceptEvaluation result = evaluateConcepts(
+      data, Model(findModel(model)),
+      {session.options.seed, session.console.progress("pictures"), &session.cancel});
   if (session.cancel) throw Interrupted{};
 
   Json concepts = Json::array();

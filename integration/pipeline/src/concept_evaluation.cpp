@@ -19,7 +19,7 @@ struct Readings {
 Readings readAll(const ConceptDataset& data, const ConceptLearner& learner,
                  const ConceptEvaluationOptions& options) {
   constexpr std::size_t kBatch = 256;  // what is decoded at once
-  const TorchThreads threads(options.jobs);
+  const TorchThreads one_thread(1);
   Readings readings;
   std::vector<EncoderInput> inputs;
   for (std::size_t i = 0; i < data.size(); ++i) {

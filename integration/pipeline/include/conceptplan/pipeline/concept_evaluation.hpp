@@ -15,7 +15,6 @@ namespace conceptplan {
 
 struct ConceptEvaluationOptions {
   std::uint64_t seed = 0;  ///< of the disentanglement measures
-  int jobs = 1;            ///< threads of Torch; the results do not depend on it
   std::function<void(std::size_t done, std::size_t total)> progress;
   const std::atomic<bool>* cancel = nullptr;  ///< evaluation ends soon after it turns true
 };
@@ -33,7 +32,7 @@ struct ConceptEvaluation {
   DisentanglementScores disentanglement;  ///< of the tokens, see `tokenScores`
 };
 
-/// Reads every picture of the set, which training should not have seen.
+/// Reads every picture of the set, which training should not have seen, with one thread.
 /// @throws InputError if a picture is damaged.
 /// @throws std::invalid_argument if the set is too small to measure disentanglement on.
 ConceptEvaluation evaluateConcepts(const ConceptDataset& data, const Model& model,
