@@ -17,8 +17,10 @@ int writeFigures(const InspectFiguresOptions& options, Session& session) {
   const ConceptDataset data(options.data);
   const Model model(findModel(options.model));
   createFolder(options.out);
+  const std::vector<Figure> drawn = drawFigures(
+      model, data, {options.pictures, session.options.seed, session.console.progress("pictures")});
   Json files = Json::array();
-  for (const Figure& figure : drawFigures(model, data, {options.pictures, session.options.seed})) {
+  for (const Figure& figure : drawn) {
     const auto file = std::filesystem::path(options.out) / (figure.name + ".svg");
     writeFileAtomically(file, figure.svg);
     files.push_back(file.string());

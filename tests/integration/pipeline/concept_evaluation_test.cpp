@@ -61,7 +61,7 @@ TEST_F(ShippedConcepts, ACancelledEvaluationHasNoPictures) {
 }
 
 TEST_F(ShippedConcepts, FiguresShowAllThatTheyPromise) {
-  const std::vector<Figure> figures = drawFigures(*model_, *data_, {80, 5});
+  const std::vector<Figure> figures = drawFigures(*model_, *data_, {80, 5, {}});
   std::set<std::string> names;
   for (const Figure& figure : figures) {
     names.insert(figure.name);
@@ -75,12 +75,12 @@ TEST_F(ShippedConcepts, FiguresShowAllThatTheyPromise) {
     for (const std::size_t figure : {0, 1, 3})
       EXPECT_THAT(figures[figure].svg, HasSubstr(">" + std::string(name(which)) + "<"));
   EXPECT_THAT(figures[2].svg, HasSubstr(">change color<"));
-  const std::vector<Figure> again = drawFigures(*model_, *data_, {80, 5});
+  const std::vector<Figure> again = drawFigures(*model_, *data_, {80, 5, {}});
   for (std::size_t i = 0; i < figures.size(); ++i) EXPECT_EQ(figures[i].svg, again[i].svg);
 }
 
 TEST_F(ShippedConcepts, OnePictureIsTooFewForAFigure) {
-  EXPECT_THROW(drawFigures(*model_, *data_, {1, 5}), std::invalid_argument);
+  EXPECT_THROW(drawFigures(*model_, *data_, {1, 5, {}}), std::invalid_argument);
 }
 
 }  // namespace

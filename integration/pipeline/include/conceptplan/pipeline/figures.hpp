@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Figure {
 struct FigureOptions {
   std::size_t pictures = 1000;  ///< most pictures that are read
   std::uint64_t seed = 0;       ///< decides which
+  std::function<void(std::size_t done, std::size_t total)> progress;  ///< pictures read
 };
 
 /// What a model has learned, drawn from pictures that training did not see:
