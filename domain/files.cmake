@@ -3,6 +3,7 @@ find_package(ZLIB REQUIRED)
 set(files_headers
   include/conceptplan/domain/files/atomic_file.hpp
   include/conceptplan/domain/files/checksum.hpp
+  include/conceptplan/domain/files/json_depth.hpp
   include/conceptplan/domain/files/nearest_name.hpp
   include/conceptplan/domain/files/rgbd_image_file.hpp
   include/conceptplan/domain/scenario/reference.hpp
@@ -11,6 +12,7 @@ set(files_headers
 set(files_sources
   src/files/atomic_file.cpp
   src/files/checksum.cpp
+  src/files/json_depth.cpp
   src/files/nearest_name.cpp
   src/files/png_format.cpp
   src/files/rgbd_image_file.cpp

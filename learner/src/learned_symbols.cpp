@@ -36,10 +36,10 @@ class TensorReader {
     std::vector<int> numbers;
     if (const NamedTensor* tensor = find(key, 1))
       for (const float value : tensor->values)
-        if (value >= 0 && value < static_cast<float>(limit))
+        if (value >= 0 && value < static_cast<float>(limit) && value == std::floor(value))
           numbers.push_back(static_cast<int>(value));
     if (numbers.size() != count)
-      fault(key, "expected " + std::to_string(count) + " numbers from 0 to " +
+      fault(key, "expected " + std::to_string(count) + " whole numbers from 0 to " +
                      std::to_string(limit - 1));
     numbers.resize(count);
     return numbers;

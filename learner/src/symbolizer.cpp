@@ -122,19 +122,28 @@ double fitReach(const Eigen::MatrixXd& distances, double share) {
 double calibrationError(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,
                         double temperature) {
   checkSizes(distances, right);
-  constexpr std::size_t kBins = 10;
-  std::array<double, kBins> confidence{}, correct{};
+  std::vector<double> confidence;
+  std::vector<bool> correct;
   for (Eigen::Index i = 0; i < distances.rows(); ++i) {
     Eigen::Index best = 0;
-    const double p = probabilities(distances.row(i), temperature).maxCoeff(&best);
-    const auto bin = std::min(kBins - 1, static_cast<std::size_t>(p * kBins));
-    confidence[bin] += p;
-    correct[bin] +=
-        static_cast<std::size_t>(best) == index(right[static_cast<std::size_t>(i)]) ? 1 : 0;
+    confidence.push_back(probabilities(distances.row(i), temperature).maxCoeff(&best));
+    correct.push_back(static_cast<std::size_t>(best) == index(right[static_cast<std::size_t>(i)]));
   }
+  return calibrationError(confidence, correct);
+}
+
+double calibrationError(const std::vector<double>& confidence, const std::vector<bool>& right) {
+  if (confidence.empty() || confidence.size() != right.size())
+    throw std::invalid_argument("calibration: " + std::to_string(confidence.size()) +
+                                " confidences of " + std::to_string(right.size()) + " answers");
+  constexpr std::size_t kBins = 10;
+  std::array<double, kBins> excess{};  // confidence less what was right, summed
+  for (std::size_t i = 0; i < right.size(); ++i)
+    excess[std::min(kBins - 1, static_cast<std::size_t>(confidence[i] * kBins))] +=
+        confidence[i] - (right[i] ? 1 : 0);
   double error = 0;
-  for (std::size_t bin = 0; bin < kBins; ++bin) error += std::abs(confidence[bin] - correct[bin]);
-  return error / static_cast<double>(distances.rows());
+  for (const double of_bin : excess) error += std::abs(of_bin);
+  return error / static_cast<double>(right.size());
 }
 
 }  // namespace conceptplan

@@ -1,11 +1,14 @@
 #include "conceptplan/learner/tensor_file.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "conceptplan/domain/files/json_depth.hpp"
 #include "conceptplan/domain/input_error.hpp"
 
 namespace conceptplan {
@@ -79,12 +82,14 @@ NamedTensors decodeTensors(std::string_view bytes, const std::filesystem::path& 
   std::memcpy(&length, bytes.data(), sizeof length);
   if (length > bytes.size() - sizeof length)
     fail(path, "", "the header is truncated: expected " + std::to_string(length) + " bytes");
-  const Json header =
-      Json::parse(bytes.substr(sizeof length, length), nullptr, /*allow_exceptions=*/false);
+  const std::string_view header_text = bytes.substr(sizeof length, length);
+  if (nestsTooDeep(header_text)) fail(path, "", "the header is nested too deeply");
+  const Json header = Json::parse(header_text, nullptr, /*allow_exceptions=*/false);
   if (!header.is_object()) fail(path, "", "the header is not a JSON object");
   const std::string_view data = bytes.substr(sizeof length + length);
 
   NamedTensors tensors;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> spans;  // of bytes, one a tensor
   std::size_t total = 0;
   for (const auto& [name, entry] : header.items()) {
     if (name == "__metadata__") continue;
@@ -102,6 +107,9 @@ NamedTensors decodeTensors(std::string_view bytes, const std::filesystem::path& 
     const auto begin = offsets[0].get<std::uint64_t>(), end = offsets[1].get<std::uint64_t>();
     if (begin > end || end > data.size() || end - begin != count(tensor.shape) * width)
       fail(path, name, "data_offsets do not fit the shape or the file");
+    total += end - begin;
+    if (total > data.size()) fail(path, name, "data_offsets overlap those of other tensors");
+    spans.emplace_back(begin, end);
     tensor.values.resize(count(tensor.shape));
     for (std::size_t i = 0; i < tensor.values.size(); ++i) {
       const char* from = data.data() + begin + i * width;
@@ -114,13 +122,19 @@ NamedTensors decodeTensors(std::string_view bytes, const std::filesystem::path& 
       }
       if (!std::isfinite(tensor.values[i])) fail(path, name, "holds a number that is not finite");
     }
-    total += end - begin;
     tensors.emplace(name, std::move(tensor));
   }
   if (total != data.size())
     fail(path, "",
          "expected " + std::to_string(total) + " bytes of numbers, found " +
              std::to_string(data.size()));
+  std::sort(spans.begin(), spans.end());
+  std::uint64_t covered = 0;
+  for (const auto& [begin, end] : spans) {
+    if (begin != covered)
+      fail(path, "", "data_offsets overlap or leave a gap at byte " + std::to_string(begin));
+    covered = end;
+  }
   return tensors;
 }
 

@@ -98,5 +98,14 @@ TEST(Calibration, ErrorIsSmallAtTheRightTemperatureAndLargeAtAWrongOne) {
   EXPECT_THROW(calibrationError(distances, {}, 1), std::invalid_argument);
 }
 
+TEST(Calibration, ErrorIsTheGapBetweenConfidenceAndWhatWasRight) {
+  // Two answers in the highest bin, half right: |1.9 - 1|; two in the sixth: |1.1 - 1|.
+  EXPECT_NEAR(calibrationError({0.95, 0.95, 0.55, 0.55}, {true, false, true, false}),
+              (0.9 + 0.1) / 4, 1e-12);
+  EXPECT_DOUBLE_EQ(calibrationError({1, 1}, {true, true}), 0);
+  EXPECT_THROW(calibrationError({0.5}, {true, false}), std::invalid_argument);
+  EXPECT_THROW(calibrationError(std::vector<double>{}, {}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace conceptplan

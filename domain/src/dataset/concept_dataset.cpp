@@ -93,10 +93,20 @@ ConceptSample ConceptDataset::sample(std::size_t position) const {
     throw std::invalid_argument("sample " + std::to_string(position) + " of " +
                                 std::to_string(size()));
   const MappedFile& file = content_->shards[position / kShardSize];
-  return parseConceptRecord(
+  ConceptSample sample = parseConceptRecord(
       file.bytes().substr(kShardHeaderBytes + position % kShardSize * kConceptRecordBytes,
                           kConceptRecordBytes),
       file.path());
+  const auto samples = static_cast<std::size_t>(options().samples);
+  if (sample.object != objectOf(combinations()[position / samples]) ||
+      sample.sample != static_cast<int>(position % samples))
+    throw InputError({{file.path().string(),
+                       {},
+                       {},
+                       "",
+                       "record " + std::to_string(position % kShardSize) +
+                           " shows another object than belongs there"}});
+  return sample;
 }
 
 }  // namespace conceptplan

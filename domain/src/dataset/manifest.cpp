@@ -6,6 +6,7 @@
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/checksum.hpp"
+#include "conceptplan/domain/files/json_depth.hpp"
 #include "dataset/json_fields.hpp"
 
 namespace conceptplan {
@@ -100,7 +101,9 @@ ConceptDatasetOptions conceptOptions(const Manifest& manifest,
 
 Manifest readManifest(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kManifestName;
-  const nlohmann::json document = nlohmann::json::parse(readFile(path), nullptr, false);
+  const std::string text = readFile(path);
+  if (nestsTooDeep(text)) fail(path, "is nested too deeply");
+  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
   if (document.is_discarded()) fail(path, "is not valid JSON");
   std::vector<Fault> faults;
   JsonFields fields(document, origin(folder), faults);

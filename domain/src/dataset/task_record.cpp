@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "conceptplan/domain/files/json_depth.hpp"
 #include "dataset/json_fields.hpp"
 
 namespace conceptplan {
@@ -65,7 +66,9 @@ std::string taskRecord(const Task& task) {
 }
 
 Task parseTaskRecord(const std::string& line, const Fault& origin, std::vector<Fault>& faults) {
-  const nlohmann::json record = nlohmann::json::parse(line, nullptr, false);
+  const nlohmann::json record = nestsTooDeep(line)
+                                    ? nlohmann::json(nlohmann::json::value_t::discarded)
+                                    : nlohmann::json::parse(line, nullptr, false);
   Task task;
   if (record.is_discarded()) {
     faults.push_back(origin);

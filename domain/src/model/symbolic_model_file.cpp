@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/files/json_depth.hpp"
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/domain/model/symbolic_model.hpp"
 
@@ -119,6 +120,12 @@ class Reader {
     return json.get<std::size_t>();
   }
 
+  int smallWhole(const Json& json, const std::string& key) {
+    const std::size_t value = whole(json, key);
+    if (value > 1'000'000) fault(key, "expected at most 1000000, found " + std::to_string(value));
+    return static_cast<int>(std::min<std::size_t>(value, 1'000'000));
+  }
+
   std::string text(const Json& json, const std::string& key) {
     return expect(json, json.is_string(), key, "a text") ? json.get<std::string>() : "";
   }
@@ -222,7 +229,7 @@ SymbolGrounding readGrounding(Reader& reader, const Json& json,
                               const ConceptCardinality& cardinality) {
   const std::string key = "grounding";
   const auto cell = [&](const Json& entry, const std::string& entry_key) {
-    return static_cast<int>(reader.whole(entry, entry_key));
+    return reader.smallWhole(entry, entry_key);
   };
   SymbolGrounding grounding;
   grounding.columns = reader.list(reader.member(json, key, "columns"), key + ".columns", cell);
@@ -303,8 +310,11 @@ ConceptCardinality readCardinality(Reader& reader, const Json& document) {
 }
 
 Json parsed(std::string_view text, const std::string& path) {
+  if (nestsTooDeep(text)) throw InputError({{path, {}, {}, "", "is nested too deeply"}});
   try {
     return Json::parse(text);
+  } catch (const Json::out_of_range&) {
+    throw InputError({{path, {}, {}, "", "holds a number beyond the range of numbers"}});
   } catch (const Json::parse_error& error) {
     const std::string_view before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
     const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;

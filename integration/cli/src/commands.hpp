@@ -26,6 +26,7 @@ void addGenerateImagesCommand(CommandLine& line, CLI::App& group);
 void addGenerateScenariosCommand(CommandLine& line, CLI::App& group);
 void addGenerateTasksCommand(CommandLine& line, CLI::App& group);
 void addInspectDatasetCommand(CommandLine& line, CLI::App& group);
+void addInspectFiguresCommand(CommandLine& line, CLI::App& group);
 void addInspectModelCommand(CommandLine& line, CLI::App& group);
 void addInspectScenarioCommand(CommandLine& line, CLI::App& group);
 

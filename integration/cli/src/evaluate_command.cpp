@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "conceptplan/pipeline/frame_evaluation.hpp"
+#include "evaluate_concepts.hpp"
 #include "exit_code.hpp"
 
 namespace conceptplan::cli {
@@ -7,6 +8,7 @@ namespace {
 
 struct EvaluateCommandOptions {
   std::string tasks;
+  std::string concepts;
   std::string model = "default";
   std::vector<std::string> planners{"belief"};
   bool frames = false;
@@ -101,11 +103,22 @@ int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
 void addEvaluateCommand(CommandLine& line) {
   const auto options = makeOptions<EvaluateCommandOptions>();
   CLI::App& command =
-      line.add("evaluate", "Accuracy and efficiency of planners on a set of tasks",
+      line.add("evaluate",
+               "Accuracy and efficiency of planners on a set of tasks, or of symbols on a set of "
+               "pictures",
                "conceptplan evaluate --tasks data/test-level3 --planners belief,bfs",
-               [options](Session& session) { return evaluateTasks(*options, session); });
-  command.add_option("--tasks", options->tasks, "Set of tasks with the pictures of start and goal")
-      ->required()
+               [options](Session& session) {
+                 return options->concepts.empty()
+                            ? evaluateTasks(*options, session)
+                            : evaluateConceptSet(options->concepts, options->model, session);
+               });
+  CLI::Option_group* set = command.add_option_group("Set", "What to evaluate on, one of them");
+  set->require_option(1);
+  set->add_option("--tasks", options->tasks, "Set of tasks with the pictures of start and goal")
+      ->type_name("DIR");
+  set->add_option("--concepts", options->concepts,
+                  "Set of pictures of single objects: accuracy and calibration of the symbols, and "
+                  "disentanglement of the tokens")
       ->type_name("DIR");
   command
       .add_option("--planners", options->planners, "Planners by name, a,b,c; belief if left out")

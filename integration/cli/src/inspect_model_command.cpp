@@ -53,10 +53,11 @@ Json actionsJson(const Model& model) {
   return list;
 }
 
-/// Disentanglement measures, by their names in the manifest.
+/// Disentanglement measures, by their names in the manifest; "dci" is the D of DCI.
 Json measuresJson(const ModelManifest& manifest) {
   Json measures{{"split", "validation"}};
-  for (const char* name : {"dci", "mig", "sap", "factor_vae", "beta_vae"}) {
+  for (const char* name :
+       {"dci", "dci_completeness", "dci_informativeness", "mig", "sap", "factor_vae", "beta_vae"}) {
     measures[name] = measure(manifest, name);
   }
   return measures;
@@ -84,6 +85,11 @@ void print(const Json& document, Console& console) {
     actions.push_back({entry["name"], entry["does"], entry["needs"], figure(entry["probability"])});
   }
   console.print(actions);
+  TextTable measures{{"disentanglement (validation)", "score"}};
+  for (const auto& [name, score] : document["measures"].items()) {
+    if (name != "split") measures.push_back({name, figure(score)});
+  }
+  console.print(measures);
 }
 
 int inspectModel(const InspectModelOptions& options, Session& session) {
@@ -119,6 +125,7 @@ void addInspectCommands(CommandLine& line) {
   CLI::App& group = line.addGroup("inspect", "Show what is inside a model, dataset or scenario");
   addInspectModelCommand(line, group);
   addInspectDatasetCommand(line, group);
+  addInspectFiguresCommand(line, group);
   addInspectScenarioCommand(line, group);
 }
 

@@ -8,8 +8,6 @@
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/effect_context.hpp"
-#include "conceptplan/learner/learned_symbols.hpp"
-#include "conceptplan/learner/visual_transition.hpp"
 #include "observed_frame.hpp"
 #include "torch_threads.hpp"
 
@@ -75,6 +73,9 @@ const std::filesystem::path& Model::folder() const { return parts_->folder; }
 const ModelManifest& Model::manifest() const { return parts_->manifest; }
 const SymbolicModel& Model::symbolic() const { return parts_->symbolic; }
 std::size_t Model::numParameters() const { return parts_->parameters; }
+const ConceptLearner& Model::learner() const { return parts_->learner; }
+const LearnedSymbols& Model::symbols() const { return parts_->symbols; }
+const VisualTransition& Model::transition() const { return parts_->transition; }
 
 Percept Model::perceive(const RgbdImage& image) const {
   return std::move(perceive({&image, 1}).front());

@@ -5,6 +5,7 @@
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/checksum.hpp"
+#include "conceptplan/domain/files/json_depth.hpp"
 #include "conceptplan/domain/input_error.hpp"
 
 namespace conceptplan {
@@ -70,6 +71,12 @@ ModelManifest parse(const Json& json, const std::filesystem::path& path,
     if (std::find(stages.begin(), stages.end(), name(stage)) != stages.end())
       manifest.stages.push_back(stage);
   if (manifest.stages.size() != stages.size()) fault("stages", "holds an unknown stage");
+  for (const auto& [file, checksum] : manifest.files)
+    if (std::none_of(manifest.stages.begin(), manifest.stages.end(), [&](TrainingStage stage) {
+          const std::vector<const char*> known = filesOf(stage);
+          return std::find(known.begin(), known.end(), file) != known.end();
+        }))
+      fault("files", "\"" + file + "\" is of no stage that is done");
   return manifest;
 }
 
@@ -95,7 +102,9 @@ bool ModelManifest::has(TrainingStage stage) const {
 
 ModelManifest readModelManifest(const std::filesystem::path& folder) {
   const auto path = folder / kManifestFile;
-  const Json json = Json::parse(readFile(path), nullptr, /*allow_exceptions=*/false);
+  const std::string text = readFile(path);
+  const Json json =
+      nestsTooDeep(text) ? Json() : Json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!json.is_object())
     throw InputError({{path.string(), std::nullopt, std::nullopt, "", "is not a JSON object"}});
   std::vector<Fault> faults;

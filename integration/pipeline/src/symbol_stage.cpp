@@ -11,6 +11,7 @@
 #include "conceptplan/learner/kmeans.hpp"
 #include "conceptplan/learner/learned_symbols.hpp"
 #include "conceptplan/learner/training/augmentation.hpp"
+#include "token_measures.hpp"
 #include "training_stages.hpp"
 
 namespace conceptplan::training {
@@ -248,6 +249,8 @@ bool makeSymbols(const Run& run, ModelManifest& manifest) {
     values[index(which)] =
         valuesOf(validation_symbols, validation.values, which, kConceptCardinality[index(which)]);
   calibrate(clusters, plain, changed, validation.values, values, manifest);
+  addTokenScores(tokenScores(plain, validation.values, run.options.seed), "validation",
+                 manifest.measures);
 
   SymbolGrounding grounding;
   std::vector<double> x, y;

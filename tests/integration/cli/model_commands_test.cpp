@@ -102,6 +102,10 @@ TEST_F(ModelCommands, InspectModelHasTheStableNames) {
   EXPECT_TRUE(answer["concepts"][0]["accuracy"].is_number());
   ASSERT_EQ(answer["actions"].size(), 7u);
   EXPECT_THAT(answer["actions"][6]["does"].get<std::string>(), HasSubstr("COLOR"));
+  for (const char* measure : {"dci", "mig", "sap", "factor_vae", "beta_vae"}) {
+    EXPECT_TRUE(answer["measures"][measure].is_number()) << measure;
+  }
+  EXPECT_EQ(answer["measures"]["split"], "validation");
   EXPECT_GT(answer["bytes"], 1000);
   EXPECT_THAT(runCommand({"inspect", "model", model()}).out, HasSubstr("change_color"));
 }
@@ -258,6 +262,34 @@ TEST_F(ModelCommands, EvaluateHasTheStableNames) {
   }
   EXPECT_EQ(runCommand({"evaluate", "--tasks", tasks, "--planners", "bsf"}).exit_code, 2);
   EXPECT_EQ(runCommand({"evaluate", "--tasks", folder_.path().string()}).exit_code, 2);
+}
+
+TEST_F(ModelCommands, EvaluateConceptsHasTheStableNames) {
+  const CommandResult result = runCommand(
+      {"evaluate", "--concepts", data() + "/concepts-validation", "--model", model(), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const json answer = json::parse(result.out);
+  EXPECT_EQ(answer["set"], "validation/standard");
+  ASSERT_EQ(answer["concepts"].size(), 6u);
+  EXPECT_EQ(answer["concepts"][5]["name"], "SIZE");
+  EXPECT_TRUE(answer["concepts"][5]["calibration_error"].is_number());
+  EXPECT_LE(answer["all_right"], answer["concepts"][0]["accuracy"]);
+  for (const char* measure : {"dci", "mig", "sap", "factor_vae", "beta_vae"}) {
+    EXPECT_TRUE(answer["measures"][measure].is_number()) << measure;
+  }
+  EXPECT_EQ(runCommand({"evaluate", "--model", model()}).exit_code, 2);
+  EXPECT_EQ(runCommand({"evaluate", "--concepts", "a", "--tasks", "b"}).exit_code, 2);
+}
+
+TEST_F(ModelCommands, InspectFiguresWritesTheFour) {
+  const CommandResult result =
+      runCommand({"inspect", "figures", model(), "--data", data() + "/concepts-validation", "--out",
+                  (folder_ / "figures").string(), "--pictures", "60"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  for (const char* figure : {"substitution-grid", "token-changes", "displacements", "clusters"}) {
+    EXPECT_THAT(readFile(folder_ / "figures" / (std::string(figure) + ".svg")),
+                HasSubstr("</svg>"));
+  }
 }
 
 TEST_F(ModelCommands, AFlippedByteInTheModelIsNamed) {

@@ -60,4 +60,8 @@ double fitReach(const Eigen::MatrixXd& distances, double share);
 double calibrationError(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,
                         double temperature);
 
+/// The same from the probability of each answer given, and whether it was right.
+/// @throws std::invalid_argument if there are none or sizes differ.
+double calibrationError(const std::vector<double>& confidence, const std::vector<bool>& right);
+
 }  // namespace conceptplan

@@ -11,7 +11,10 @@
 #include "conceptplan/domain/image.hpp"
 #include "conceptplan/domain/model/symbolic_model.hpp"
 #include "conceptplan/domain/symbols.hpp"
+#include "conceptplan/learner/concept_learner.hpp"
+#include "conceptplan/learner/learned_symbols.hpp"
 #include "conceptplan/learner/tokens.hpp"
+#include "conceptplan/learner/visual_transition.hpp"
 #include "conceptplan/pipeline/model_manifest.hpp"
 #include "conceptplan/planners/plan_result.hpp"
 
@@ -44,6 +47,12 @@ class Model {
   const ModelManifest& manifest() const;
   const SymbolicModel& symbolic() const;
   std::size_t numParameters() const;
+
+  /// The networks and symbols alone, for measures and figures of what was learned. Their calls use
+  /// the caller's Torch thread settings.
+  const ConceptLearner& learner() const;
+  const LearnedSymbols& symbols() const;
+  const VisualTransition& transition() const;
 
   Percept perceive(const RgbdImage& image) const;
   /// The same for many pictures, all their objects encoded together.
