@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "conceptplan/pipeline/all_planners.hpp"
 #include "conceptplan/pipeline/evaluation.hpp"
 #include "exit_code.hpp"
 
@@ -37,7 +38,7 @@ std::vector<std::string> rowText(const EvaluationRow& row) {
 }
 
 int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
-  const PlannerRegistry registry = PlannerRegistry::standard();
+  const PlannerRegistry registry = allPlanners();
   for (const std::string& planner : options.planners) registry.make(planner, {}, "--planners");
   const TaskDataset tasks(options.tasks);
   const Model model(findModel(options.model));

@@ -106,9 +106,8 @@ PlannerStatus GraphPlanner::solve(const ompl::base::PlannerTerminationCondition&
 
   const auto path = std::make_shared<ompl::control::PathControl>(si_);
   path->append(start);
-  StateType state;
+  StateType state(from);
   ActionSpace::ControlType control;
-  state.id = from;
   for (const Action action : result_.plans.front().actions) {
     state.id = states->next(state.id, action);
     control.value = static_cast<int>(action);

@@ -51,10 +51,10 @@ class Seeded final : public Base {
 
  private:
   auto makeNeighbours() {
-    using Motion = typename Base::Motion;
-    const auto neighbours = std::make_shared<ompl::NearestNeighborsLinear<Motion*>>();
+    using Node = typename Base::Motion;
+    const auto neighbours = std::make_shared<ompl::NearestNeighborsLinear<Node*>>();
     neighbours->setDistanceFunction(
-        [this](const Motion* a, const Motion* b) { return this->distanceFunction(a, b); });
+        [this](const Node* a, const Node* b) { return this->distanceFunction(a, b); });
     return neighbours;
   }
 };

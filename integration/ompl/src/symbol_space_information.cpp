@@ -124,10 +124,8 @@ ompl::control::SpaceInformationPtr makeSpaceInformation(std::shared_ptr<const Sy
 
 void setStartAndGoal(ompl::base::ProblemDefinition& problem) {
   const SymbolGraph& graph = statesOf(*problem.getSpaceInformation())->graph();
-  SymbolStateSpace::StateType start;
-  SymbolStateSpace::StateType goal;
-  start.id = graph.mostProbableStart();
-  goal.id = graph.mostProbableGoal();
+  const SymbolStateSpace::StateType start(graph.mostProbableStart());
+  const SymbolStateSpace::StateType goal(graph.mostProbableGoal());
   problem.setStartAndGoalStates(&start, &goal);
 }
 

@@ -7,6 +7,7 @@
 #include <ompl/control/spaces/DiscreteControlSpace.h>
 #include <ompl/tools/benchmark/Benchmark.h>
 
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -80,10 +81,8 @@ TEST_F(GraphPlannerTest, ThePathHoldsTheActionsOfThePlan) {
 TEST_F(GraphPlannerTest, PlansBetweenOtherStatesThanTheGraphWasCompiledFor) {
   const auto graph = tinyGraph(tinySymbols(0, 0, 0, 0), tinySymbols(0, 2, 1, 0));
   const auto setup = setupOf(graph, "belief");
-  SymbolStateSpace::StateType start;
-  SymbolStateSpace::StateType goal;
-  start.id = graph->state(tinySymbols(0, 2, 0, 0));
-  goal.id = graph->state(tinySymbols(0, 0, 0, 0));
+  const SymbolStateSpace::StateType start(graph->state(tinySymbols(0, 2, 0, 0)));
+  const SymbolStateSpace::StateType goal(graph->state(tinySymbols(0, 0, 0, 0)));
   setup->getProblemDefinition()->clearStartStates();
   setup->getProblemDefinition()->setStartAndGoalStates(&start, &goal);
   EXPECT_EQ(setup->solve(10.0), PlannerStatus::EXACT_SOLUTION);
@@ -143,14 +142,10 @@ class BenchmarkLog {
   explicit BenchmarkLog(const std::string& text) : lines_(text) {
     EXPECT_THAT(line(), ::testing::MatchesRegex("OMPL version [0-9.]+.*"));
     EXPECT_EQ(line(), "Experiment level 4");
-    for (std::string next = line(); lines_ && !next.starts_with("0 enum types");) {
-      if (next.ends_with("enum types") || next.ends_with("enum type")) {
-        for (int enums = std::stoi(next); enums > 0; --enums) line();
-        break;
-      }
-      next = line();
-    }
-    for (int planners = std::stoi(line()); planners > 0; --planners) readPlanner();
+    std::string next = line();
+    while (lines_ && next.find(" enum type") == std::string::npos) next = line();
+    for (int enums = std::stoi(next); enums > 0; --enums) line();
+    for (int count = std::stoi(line()); count > 0; --count) readPlanner();
   }
 
   std::vector<std::string> planners;

@@ -4,6 +4,7 @@
 #include <ompl/base/goals/GoalState.h>
 
 #include <future>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -23,17 +24,11 @@ ompl::control::SpaceInformationPtr tinySpace() {
   return makeSpaceInformation(tinyGraph(tinySymbols(0, 0, 0, 0), tinySymbols(0, 2, 1, 0)));
 }
 
-StateType stateOf(std::size_t id) {
-  StateType state;
-  state.id = static_cast<StateId>(id);
-  return state;
-}
+StateType stateOf(std::size_t id) { return StateType(static_cast<StateId>(id)); }
 
-ActionSpace::ControlType controlOf(Action action) {
-  ActionSpace::ControlType control;
-  control.value = static_cast<int>(action);
-  return control;
-}
+struct ControlOf final : ActionSpace::ControlType {
+  explicit ControlOf(Action action) { value = static_cast<int>(action); }
+};
 
 TEST(SymbolSpaceInformation, IsSetUpAndItsStateSpaceIsSane) {
   const auto space = makeSpaceInformation(graphOf(testTask(4, 0)));
@@ -52,7 +47,7 @@ TEST(SymbolSpaceInformation, PropagatesToTheMostProbableOutcome) {
     for (const Action action : kActions) {
       StateType from = stateOf(i);
       StateType to;
-      ActionSpace::ControlType control = controlOf(action);
+      ControlOf control(action);
       space->propagate(&from, &control, 1, &to);
       if (graph->legality(from.id, action) > 0.01) {
         EXPECT_EQ(to.id, graph->transitions(from.id, action).front().state);
@@ -68,9 +63,9 @@ TEST(SymbolSpaceInformation, PropagatesToTheMostProbableOutcome) {
 TEST(SymbolSpaceInformation, ADurationIsANumberOfActionsAndNoActionStays) {
   const auto space = tinySpace();
   const SymbolGraph& graph = space->getStateSpace()->as<SymbolStateSpace>()->graph();
-  StateType from = stateOf(index(graph.state(tinySymbols(0, 0, 0, 0))));
+  StateType from(graph.state(tinySymbols(0, 0, 0, 0)));
   StateType to;
-  ActionSpace::ControlType control = controlOf(Action::kMoveRight);
+  ControlOf control(Action::kMoveRight);
   space->getStatePropagator()->propagate(&from, &control, 2, &to);
   EXPECT_EQ(graph.symbols(to.id), tinySymbols(0, 2, 0, 0));
   space->nullControl(&control);
@@ -103,7 +98,7 @@ TEST(SymbolSpaceInformation, TheStartCountsAsValidWhereverItStands) {
       task.initial.objects[task.initial.target == 0 ? 1 : 0].cell;
   const auto graph = graphOf(task);
   ASSERT_FALSE(graph->valid(graph->mostProbableStart()));
-  StateType start = stateOf(index(graph->mostProbableStart()));
+  StateType start(graph->mostProbableStart());
   EXPECT_TRUE(makeSpaceInformation(graph)->isValid(&start));
 }
 
@@ -132,8 +127,8 @@ TEST(SymbolSpaceInformation, TwoStatesAreJoinedWhereAnActionLeadsFromOneToTheOth
 TEST(SymbolSpaceInformation, AMotionThatFailsIsValidUpToItsStart) {
   const auto space = tinySpace();
   const SymbolGraph& graph = space->getStateSpace()->as<SymbolStateSpace>()->graph();
-  StateType from = stateOf(index(graph.state(tinySymbols(0, 0, 0, 0))));
-  StateType to = stateOf(index(graph.state(tinySymbols(0, 2, 0, 0))));
+  StateType from(graph.state(tinySymbols(0, 0, 0, 0)));
+  StateType to(graph.state(tinySymbols(0, 2, 0, 0)));
   StateType last;
   std::pair<ompl::base::State*, double> last_valid{&last, 1};
   EXPECT_FALSE(space->getMotionValidator()->checkMotion(&from, &to, last_valid));
@@ -145,7 +140,7 @@ TEST(SymbolSpaceInformation, ControlsAreDrawnFromTheActionsThatMove) {
   const auto space = tinySpace();
   const SymbolGraph& graph = space->getStateSpace()->as<SymbolStateSpace>()->graph();
   const auto sampler = space->allocControlSampler();
-  StateType corner = stateOf(index(graph.state(tinySymbols(0, 2, 0, 0))));
+  StateType corner(graph.state(tinySymbols(0, 2, 0, 0)));
   ActionSpace::ControlType control;
   std::set<Action> drawn;
   for (int i = 0; i < 100; ++i) {
@@ -157,7 +152,7 @@ TEST(SymbolSpaceInformation, ControlsAreDrawnFromTheActionsThatMove) {
 
 TEST(SymbolSpaceInformation, PrintsActionsByName) {
   std::ostringstream out;
-  ActionSpace::ControlType control = controlOf(Action::kRotateLeft);
+  ControlOf control(Action::kRotateLeft);
   tinySpace()->printControl(&control, out);
   EXPECT_EQ(out.str(), "rotate_left\n");
 }

@@ -18,11 +18,7 @@ using testing::tinyGraph;
 using testing::tinySymbols;
 using StateType = SymbolStateSpace::StateType;
 
-StateType stateOf(std::size_t id) {
-  StateType state;
-  state.id = static_cast<StateId>(id);
-  return state;
-}
+StateType stateOf(std::size_t id) { return StateType(static_cast<StateId>(id)); }
 
 std::unique_ptr<SymbolStateSpace> tinySpace() {
   return std::make_unique<SymbolStateSpace>(
@@ -52,8 +48,8 @@ TEST(SymbolStateSpace, IsDiscreteAndHoldsTheStatesOfTheMostProbableReading) {
 TEST(SymbolStateSpace, DistanceCountsTheStepsOfEachConcept) {
   const auto space = tinySpace();
   const auto distance = [&](const Symbols& from, const Symbols& to) {
-    StateType first = stateOf(index(space->graph().state(from)));
-    StateType second = stateOf(index(space->graph().state(to)));
+    const StateType first(space->graph().state(from));
+    const StateType second(space->graph().state(to));
     return space->distance(&first, &second);
   };
   EXPECT_EQ(distance(tinySymbols(0, 0, 0, 0), tinySymbols(0, 2, 0, 0)), 2);
@@ -85,9 +81,9 @@ TEST(SymbolStateSpace, NoActionLeadsFartherThanItsDistanceOnALearnedWorld) {
   for (std::size_t i = 0; i < space.numStates(); ++i) {
     for (const Action action : kActions) {
       StateType from = stateOf(i);
-      StateType to;
-      to.id = space.next(from.id, action);
-      if (space.contains(to.id)) EXPECT_LE(space.distance(&from, &to), 1);
+      StateType to(space.next(from.id, action));
+      if (!space.contains(to.id)) continue;
+      EXPECT_LE(space.distance(&from, &to), 1);
     }
   }
 }
@@ -95,8 +91,7 @@ TEST(SymbolStateSpace, NoActionLeadsFartherThanItsDistanceOnALearnedWorld) {
 TEST(SymbolStateSpace, AnIllegalActionLeadsNowhere) {
   const auto space = tinySpace();
   const StateId right_end = space->graph().state(tinySymbols(0, 2, 0, 0));
-  StateType nowhere;
-  nowhere.id = space->next(right_end, Action::kMoveRight);
+  StateType nowhere(space->next(right_end, Action::kMoveRight));
   EXPECT_EQ(nowhere.id, SymbolStateSpace::kNowhere);
   EXPECT_FALSE(space->satisfiesBounds(&nowhere));
   EXPECT_EQ(space->next(nowhere.id, Action::kMoveLeft), SymbolStateSpace::kNowhere);
@@ -122,7 +117,7 @@ TEST(SymbolStateSpace, SamplesCoverAllStatesAndNearOnesStayNear) {
   const ompl::base::StateSamplerPtr sampler = space->allocStateSampler();
   std::set<StateId> uniform;
   std::set<StateId> near;
-  StateType centre = stateOf(index(space->graph().state(tinySymbols(0, 1, 0, 0))));
+  const StateType centre(space->graph().state(tinySymbols(0, 1, 0, 0)));
   StateType sample;
   for (int i = 0; i < 500; ++i) {
     sampler->sampleUniform(&sample);
@@ -187,7 +182,7 @@ TEST(SymbolStateSpace, PlacesFollowTheStepsWhateverTheSymbolsAreCalled) {
 
 TEST(SymbolStateSpace, PrintsTheSymbolsOfAState) {
   const auto space = tinySpace();
-  StateType state = stateOf(index(space->graph().state(tinySymbols(0, 2, 1, 0))));
+  const StateType state(space->graph().state(tinySymbols(0, 2, 1, 0)));
   std::ostringstream out;
   space->printState(&state, out);
   EXPECT_THAT(out.str(), ::testing::HasSubstr("POSITION_X 2 ROTATION 1"));

@@ -20,6 +20,9 @@ class SymbolStateSpace final : public ompl::base::StateSpace {
  public:
   class StateType final : public ompl::base::State {
    public:
+    StateType() = default;
+    explicit StateType(StateId state) : id(state) {}
+
     StateId id{};
   };
 
