@@ -36,6 +36,7 @@ namespace {
 using ompl::control::SpaceInformationPtr;
 
 constexpr int kFreeVolumeSamples = 1000;
+constexpr std::size_t kTracedStates = 64;
 
 /// A planner of OMPL whose own generator is seeded. Where it looks for near states it compares them
 /// all, since OMPL's trees of neighbours draw from generators that cannot be seeded.
@@ -228,6 +229,10 @@ PlanResult OmplPlanner::search(const SymbolGraph& graph, const PlanQuery& query)
   result.reason = guard.reason();
   if (found.empty()) {
     result.status = *guard.stopped();
+    result.rejections = traceRejections(graph,
+                                        reachableStates(graph, start, options_.legality_threshold,
+                                                        query.limits.horizon, kTracedStates),
+                                        options_.legality_threshold);
     return result;
   }
   result.status = PlanStatus::kSolved;
