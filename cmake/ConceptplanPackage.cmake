@@ -27,7 +27,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/conceptplan-config-versio
 install(FILES ${PROJECT_BINARY_DIR}/conceptplan-config.cmake
               ${PROJECT_BINARY_DIR}/conceptplan-config-version.cmake
         DESTINATION ${package_dir} COMPONENT domain)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindOpenCV.cmake
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindOpenCV.cmake ${PROJECT_SOURCE_DIR}/cmake/Findompl.cmake
         DESTINATION ${package_dir}/modules COMPONENT domain)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT domain)

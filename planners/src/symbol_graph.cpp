@@ -162,6 +162,14 @@ StateId SymbolGraph::state(const Symbols& symbols) const {
   return static_cast<StateId>(packed);
 }
 
+SymbolGraph SymbolGraph::between(StateId start, StateId goal) const {
+  SymbolGraph graph = *this;
+  graph.problem_.initial.objects[problem_.initial.target] = certain(symbols(start), cardinality_);
+  graph.problem_.goal = certain(symbols(goal), cardinality_);
+  graph.frozen_agreement_ = 1;
+  return graph;
+}
+
 std::span<const Transition> SymbolGraph::transitions(StateId state, Action action) const {
   const std::size_t first = first_transition_[edge(state, action)];
   return std::span(transitions_).subspan(first, first_transition_[edge(state, action) + 1] - first);

@@ -72,8 +72,10 @@ TEST(PlannerRegistry, DocsPlannersIsUpToDate) {
   std::stringstream text;
   text << file.rdbuf();
   const std::string fresh = ::testing::TempDir() + "planners.md";
-  if (text.str() != expected) std::ofstream(fresh) << expected;
-  EXPECT_EQ(text.str(), expected) << "copy " << fresh << " to docs/planners.md";
+  if (!text.str().starts_with(expected)) std::ofstream(fresh) << expected;
+  // Planners of other components follow; their tests compare them.
+  EXPECT_THAT(text.str(), ::testing::StartsWith(expected))
+      << "put " << fresh << " at the beginning of docs/planners.md";
 }
 
 }  // namespace

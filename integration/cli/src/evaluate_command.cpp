@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "conceptplan/pipeline/all_planners.hpp"
 #include "conceptplan/pipeline/frame_evaluation.hpp"
 #include "evaluate_concepts.hpp"
 #include "exit_code.hpp"
@@ -60,7 +61,7 @@ std::vector<std::string> rowText(const FrameEvaluationRow& row) {
 }
 
 int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
-  const PlannerRegistry registry = PlannerRegistry::standard();
+  const PlannerRegistry registry = allPlanners();
   for (const std::string& planner : options.planners) registry.make(planner, {}, "--planners");
   const TaskDataset tasks(options.tasks);
   const Model model(findModel(options.model));

@@ -1,12 +1,12 @@
 #include "commands.hpp"
-#include "conceptplan/planners/planner_registry.hpp"
+#include "conceptplan/pipeline/all_planners.hpp"
 #include "exit_code.hpp"
 
 namespace conceptplan::cli {
 namespace {
 
 int listPlanners(Session& session) {
-  const PlannerRegistry registry = PlannerRegistry::standard();
+  const PlannerRegistry registry = allPlanners();
   session.console.printJson(Json::parse(toJson(registry)));
   for (const PlannerEntry& entry : registry.entries()) {
     session.console.print(entry.name + "  " + entry.summary);

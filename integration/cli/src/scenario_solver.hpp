@@ -7,8 +7,8 @@
 #include <mutex>
 #include <string>
 
+#include "conceptplan/pipeline/all_planners.hpp"
 #include "conceptplan/pipeline/solve.hpp"
-#include "conceptplan/planners/planner_registry.hpp"
 
 namespace conceptplan::cli {
 
@@ -23,7 +23,7 @@ struct SolvedScenario {
 /// Reads and solves scenarios; a model that several of them name is loaded once. Thread-safe.
 class ScenarioSolver {
  public:
-  ScenarioSolver() : registry_(PlannerRegistry::standard()) {}
+  ScenarioSolver() : registry_(allPlanners()) {}
 
   /// @param planner in place of the scenario's own; empty: the scenario's
   /// @param model in place of the scenario's own; empty: the scenario's

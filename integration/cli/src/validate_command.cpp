@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "conceptplan/pipeline/all_planners.hpp"
 #include "conceptplan/pipeline/model.hpp"
 #include "exit_code.hpp"
 #include "scenario_check.hpp"
@@ -31,7 +32,7 @@ std::vector<Fault> faultsOf(const std::filesystem::path& file, const PlannerRegi
 }
 
 int validate(const ValidateOptions& options, Session& session) {
-  const PlannerRegistry registry = PlannerRegistry::standard();
+  const PlannerRegistry registry = allPlanners();
   Json scenarios = Json::array();
   bool all_valid = true;
   const auto report = [&](const std::string& path, const std::vector<Fault>& faults) {

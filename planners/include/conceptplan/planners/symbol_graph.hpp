@@ -79,6 +79,8 @@ class SymbolGraph {
   const SymbolBelief& initialBelief() const {
     return problem_.initial.objects[problem_.initial.target];
   }
+  /// The same graph for another task of the same target, certain of start and goal.
+  SymbolGraph between(StateId start, StateId goal) const;
 
   const Verdict& verdict(StateId state) const { return verdicts_[index(state)]; }
   bool valid(StateId state) const { return verdict(state).valid(); }

@@ -1,0 +1,260 @@
+#include "conceptplan/ompl/ompl_planner.hpp"
+
+#include <ompl/control/PathControl.h>
+#include <ompl/control/PlannerData.h>
+#include <ompl/control/planners/est/EST.h>
+#include <ompl/control/planners/kpiece/KPIECE1.h>
+#include <ompl/control/planners/pdst/PDST.h>
+#include <ompl/control/planners/rrt/RRT.h>
+#include <ompl/control/planners/sst/SST.h>
+#include <ompl/control/planners/syclop/SyclopRRT.h>
+#include <ompl/datastructures/NearestNeighborsLinear.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "conceptplan/ompl/action_space.hpp"
+#include "conceptplan/ompl/symbol_space_information.hpp"
+#include "conceptplan/planners/belief_update.hpp"
+#include "conceptplan/planners/bfs_planner.hpp"
+#include "legality_trace.hpp"
+#include "ompl_console.hpp"
+#include "search_guard.hpp"
+#include "symbol_regions.hpp"
+
+namespace conceptplan {
+namespace {
+
+using ompl::control::SpaceInformationPtr;
+
+constexpr int kFreeVolumeSamples = 1000;
+constexpr std::size_t kTracedStates = 64;
+
+/// A planner of OMPL whose own generator is seeded. Where it looks for near states it compares them
+/// all, since OMPL's trees of neighbours draw from generators that cannot be seeded.
+template <class Base>
+class Seeded final : public Base {
+ public:
+  template <class... Arguments>
+  explicit Seeded(std::uint32_t seed, const Arguments&... arguments) : Base(arguments...) {
+    this->rng_.setLocalSeed(seed);
+    if constexpr (requires(Seeded & self) { self.nn_; }) this->nn_ = makeNeighbours();
+    if constexpr (requires(Seeded & self) { self.witnesses_; }) this->witnesses_ = makeNeighbours();
+  }
+
+ private:
+  auto makeNeighbours() {
+    using Node = typename Base::Motion;
+    const auto neighbours = std::make_shared<ompl::NearestNeighborsLinear<Node*>>();
+    neighbours->setDistanceFunction(
+        [this](const Node* a, const Node* b) { return this->distanceFunction(a, b); });
+    return neighbours;
+  }
+};
+
+template <class Base>
+ompl::base::PlannerPtr makeBiased(std::uint32_t seed, double goal_bias,
+                                  const SpaceInformationPtr& space) {
+  auto planner = std::make_shared<Seeded<Base>>(seed, space);
+  planner->setGoalBias(goal_bias);
+  return planner;
+}
+
+ompl::base::PlannerPtr makeSyclop(std::uint32_t seed, const SpaceInformationPtr& space) {
+  const auto states = std::static_pointer_cast<SymbolStateSpace>(space->getStateSpace());
+  const ompl::control::DecompositionPtr regions = std::make_shared<SymbolRegions>(states);
+  auto planner = std::make_shared<Seeded<ompl::control::SyclopRRT>>(seed, space, regions);
+  planner->setNumFreeVolumeSamples(kFreeVolumeSamples);
+  return planner;
+}
+
+ompl::base::PlannerPtr makePlanner(OmplAlgorithm algorithm, std::uint32_t seed, double goal_bias,
+                                   const SpaceInformationPtr& space) {
+  switch (algorithm) {
+    case OmplAlgorithm::kRrt:
+      return makeBiased<ompl::control::RRT>(seed, goal_bias, space);
+    case OmplAlgorithm::kEst:
+      return makeBiased<ompl::control::EST>(seed, goal_bias, space);
+    case OmplAlgorithm::kKpiece:
+      return makeBiased<ompl::control::KPIECE1>(seed, goal_bias, space);
+    case OmplAlgorithm::kSst:
+      return makeBiased<ompl::control::SST>(seed, goal_bias, space);
+    case OmplAlgorithm::kPdst:
+      return makeBiased<ompl::control::PDST>(seed, goal_bias, space);
+    case OmplAlgorithm::kSyclopRrt:
+      break;
+  }
+  return makeSyclop(seed, space);
+}
+
+/// The states along a path, replayed from its start action by action; nothing if a step of it is
+/// not legal or not valid.
+std::optional<std::vector<StateId>> replay(const SpaceInformationPtr& space,
+                                           const ompl::control::PathControl& path) {
+  const auto* states = space->getStateSpace()->as<SymbolStateSpace>();
+  std::vector<StateId> along{SymbolStateSpace::id(path.getState(0))};
+  for (unsigned int i = 0; i < path.getControlCount(); ++i) {
+    const std::optional<Action> action = ActionSpace::action(path.getControl(i));
+    if (!action) continue;
+    for (long step = std::lround(path.getControlDuration(i)); step > 0; --step) {
+      const StateId next = states->next(along.back(), *action);
+      if (!states->contains(next) || !states->graph().valid(next)) return std::nullopt;
+      along.push_back(next);
+    }
+  }
+  return along;
+}
+
+/// From the first to the last of the states by actions that each lead as far on among them as one
+/// action can.
+ActionSequence shortened(const SymbolStateSpace& states, const std::vector<StateId>& along) {
+  ActionSequence actions;
+  for (std::size_t at = 0; along[at] != along.back();) {
+    std::size_t farthest = at;
+    Action taken{};
+    for (const Action action : kActions) {
+      const StateId next = states.next(along[at], action);
+      for (std::size_t to = along.size() - 1; to > farthest; --to) {
+        if (along[to] != next) continue;
+        farthest = to;
+        taken = action;
+      }
+    }
+    actions.push_back(taken);
+    at = farthest;
+  }
+  return actions;
+}
+
+/// Runs of one algorithm on one graph.
+class OmplRuns {
+ public:
+  OmplRuns(const SymbolGraph& graph, OmplAlgorithm algorithm, const OmplPlannerOptions& options,
+           std::uint64_t seed)
+      : algorithm_(algorithm), options_(options), seeds_(seed) {
+    SymbolSpaceOptions space;
+    space.legality_threshold = options.legality_threshold;
+    space.control_samples = static_cast<unsigned int>(options.control_samples);
+    // The graph outlives the runs.
+    space_ = makeSpaceInformation({std::shared_ptr<void>(), &graph}, space);
+  }
+
+  /// Actions from start to goal; nothing if the guard stopped the run.
+  std::optional<ActionSequence> run(SearchGuard& guard, SearchStatistics& statistics) {
+    auto* states = space_->getStateSpace()->as<SymbolStateSpace>();
+    states->seedSamplers(seeds_());
+    space_->getControlSpace()->as<ActionSpace>()->seedSamplers(seeds_());
+    const auto problem = std::make_shared<ompl::base::ProblemDefinition>(space_);
+    setStartAndGoal(*problem);
+    std::optional<std::size_t> last;  // expansion, once there is a path
+    problem->setIntermediateSolutionCallback([&](const auto*, const auto&, const auto&) {
+      if (!last) last = statistics.expanded + options_.improvement_steps;
+    });
+    const ompl::base::PlannerPtr planner =
+        makePlanner(algorithm_, static_cast<std::uint32_t>(seeds_()), options_.goal_bias, space_);
+    planner->setProblemDefinition(problem);
+    planner->setup();
+    planner->solve(ompl::base::PlannerTerminationCondition(
+        [&] { return (last && statistics.expanded >= *last) || !guard.expand(statistics); }));
+    ompl::control::PlannerData tree(space_);
+    planner->getPlannerData(tree);
+    statistics.generated += tree.numVertices();
+    if (!problem->hasExactSolution()) return std::nullopt;
+    const std::optional<std::vector<StateId>> along = replay(
+        space_, *std::static_pointer_cast<ompl::control::PathControl>(problem->getSolutionPath()));
+    if (!along || along->back() != states->graph().mostProbableGoal()) return std::nullopt;
+    return shortened(*states, *along);
+  }
+
+ private:
+  OmplAlgorithm algorithm_;
+  OmplPlannerOptions options_;
+  std::mt19937_64 seeds_;
+  SpaceInformationPtr space_;
+};
+
+}  // namespace
+
+OmplPlanner::OmplPlanner(OmplAlgorithm algorithm, const OmplPlannerOptions& options)
+    : algorithm_(algorithm), options_(options) {
+  const auto check = [](bool fits, const std::string& name, double value, const char* expected) {
+    if (fits) return;
+    throw std::invalid_argument(name + " is " + std::to_string(value) + ", expected " + expected);
+  };
+  const auto inUnit = [](double value) { return value >= 0 && value <= 1; };
+  check(inUnit(options.legality_threshold), "legality_threshold", options.legality_threshold,
+        "a number in [0, 1]");
+  check(inUnit(options.goal_bias), "goal_bias", options.goal_bias, "a number in [0, 1]");
+  check(options.control_samples > 0, "control_samples", 0, "at least 1");
+}
+
+PlanResult OmplPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
+  SearchGuard guard(query.limits);
+  PlanQuery proof = query;
+  proof.top = 1;
+  proof.limits.max_expansions = std::max<std::size_t>(query.limits.max_expansions / 2, 1);
+  PlanResult result = BfsPlanner({options_.legality_threshold}).solve(graph, proof);
+  const StateId start = graph.mostProbableStart();
+  const StateId goal = graph.mostProbableGoal();
+  if (result.status == PlanStatus::kInfeasible || result.status == PlanStatus::kTimeout ||
+      start == goal) {
+    return result;
+  }
+  result.plans.clear();
+
+  const OmplSilence silence;
+  std::set<std::pair<std::size_t, ActionSequence>> found;
+  try {
+    OmplRuns runs(graph, algorithm_, options_, query.seed);
+    for (std::size_t i = 0; found.size() < query.top && (i < query.top || found.empty()); ++i) {
+      const std::optional<ActionSequence> actions = runs.run(guard, result.statistics);
+      if (actions && actions->size() <= query.limits.horizon) {
+        found.insert({actions->size(), *actions});
+      }
+      if (guard.stopped()) break;
+    }
+  } catch (const std::exception& error) {
+    result.status = PlanStatus::kFailed;
+    result.reason = std::string("OMPL: ") + error.what();
+    return result;
+  }
+  result.reason = guard.reason();
+  if (found.empty()) {
+    result.status = *guard.stopped();
+    result.rejections = traceRejections(graph,
+                                        reachableStates(graph, start, options_.legality_threshold,
+                                                        query.limits.horizon, kTracedStates),
+                                        options_.legality_threshold);
+    return result;
+  }
+  result.status = PlanStatus::kSolved;
+  const StateBelief start_belief = startBelief(graph, graph.initialBelief());
+  const StateBelief goal_belief = graph.stateBelief(graph.problem().goal);
+  for (const auto& [length, actions] : found) {
+    Plan plan;
+    plan.actions = actions;
+    plan.cost = static_cast<double>(length);
+    plan.probability =
+        probabilityOf(graph, actions, start_belief, goal_belief, options_.legality_threshold).joint;
+    std::vector<StateId> along{start};
+    for (const Action action : actions) {
+      along.push_back(graph.transitions(along.back(), action).front().state);
+      plan.predicted.push_back(graph.symbols(along.back()));
+    }
+    if (result.plans.empty()) {
+      result.rejections = traceRejections(graph, along, options_.legality_threshold);
+    }
+    result.plans.push_back(std::move(plan));
+  }
+  return result;
+}
+
+}  // namespace conceptplan

@@ -1,0 +1,52 @@
+// Solves level-4 tasks with every planner of OMPL and prints how many, how fast and how long the
+// plans are: ompl_success [TASKS [TIMEOUT_S]].
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "conceptplan/domain/simulation/judgement.hpp"
+#include "conceptplan/ompl/ompl_planner.hpp"
+#include "integration/ompl/task_graph.hpp"
+
+using namespace conceptplan;
+
+int main(int argc, char** argv) {
+  const int tasks = argc > 1 ? std::atoi(argv[1]) : 1000;
+  PlanQuery query;
+  query.top = 1;
+  query.limits.timeout_s = argc > 2 ? std::atof(argv[2]) : 1;
+  PlannerRegistry registry;
+  addOmplPlanners(registry);
+  std::printf("%-16s %9s %9s %9s %9s %9s %9s\n", "planner", "solved %", "median ms", "99 % ms",
+              "max ms", "steps", "ASE");
+  for (const PlannerEntry& entry : registry.entries()) {
+    const std::unique_ptr<Planner> planner = registry.make(entry.name);
+    std::vector<double> times_ms;
+    std::size_t expanded = 0;
+    int solved = 0;
+    double efficiency = 0;
+    for (int i = 0; i < tasks; ++i) {
+      const Task task = testing::testTask(4, i);
+      const auto graph = testing::graphOf(task);
+      query.seed = static_cast<std::uint64_t>(i);
+      const auto begin = std::chrono::steady_clock::now();
+      const PlanResult result = planner->solve(*graph, query);
+      const std::chrono::duration<double, std::milli> time =
+          std::chrono::steady_clock::now() - begin;
+      times_ms.push_back(time.count());
+      expanded += result.statistics.expanded;
+      if (result.plans.empty()) continue;
+      const Judgement judgement = judge(task, result.plans.front().actions);
+      if (!judgement.succeeded()) continue;
+      ++solved;
+      efficiency += *judgement.efficiency;
+    }
+    std::sort(times_ms.begin(), times_ms.end());
+    const auto count = static_cast<double>(tasks);
+    std::printf("%-16s %9.1f %9.2f %9.2f %9.2f %9.0f %9.3f\n", entry.name.c_str(),
+                100 * solved / count, times_ms[times_ms.size() / 2],
+                times_ms[times_ms.size() * 99 / 100], times_ms.back(),
+                static_cast<double>(expanded) / count, efficiency / std::max(solved, 1));
+  }
+}
