@@ -9,7 +9,7 @@ namespace conceptplan {
 namespace {
 
 constexpr int kSamplesPerSpan = 4;
-constexpr double kChordSmoothing_m = 1e-4;  // e
+constexpr double kChordSmoothing_m = 5e-4;  // e
 constexpr double kSlack_m = 5e-4;           // for what the spline does between two samples
 constexpr double kSharpness_1_m = 2000;     // of the smooth maximum; it is at most 0.35 mm too low
 
@@ -45,10 +45,12 @@ void MotionProgram::setBounds(const MotionTask& task, const RefinementOptions& o
   const Workbench& bench = task.workbench;
   const Eigen::Array2d half_m = 0.5 * bench.cell_m * Eigen::Array2d(bench.columns, bench.rows) -
                                 task.target.radius_m - options.clearance_m;
-  Eigen::Array3Xd low(3, fixed_.cols());
-  low.colwise() = Eigen::Array3d(-half_m.x(), -half_m.y(), 0);
-  Eigen::Array3Xd high(3, fixed_.cols());
-  high.colwise() = Eigen::Array3d(half_m.x(), half_m.y(), 0);
+  // A way that leaves the box of the plan's own is longer than what of it lies in the box.
+  const auto ways = fixed_.topRows<2>().array();
+  Eigen::Array3Xd low = Eigen::Array3Xd::Zero(3, fixed_.cols());
+  low.topRows<2>().colwise() = ways.rowwise().minCoeff().max(-half_m).eval();
+  Eigen::Array3Xd high = Eigen::Array3Xd::Zero(3, fixed_.cols());
+  high.topRows<2>().colwise() = ways.rowwise().maxCoeff().min(half_m).eval();
   // Action i runs over the spans of waypoint i, which six control points shape.
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     const Eigen::Index first = kSpansPerAction * static_cast<Eigen::Index>(i);

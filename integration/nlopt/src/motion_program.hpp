@@ -16,8 +16,8 @@ namespace conceptplan {
 /// - for each selected sample p and obstacle o with the sum of radii and clearance R:
 ///   (R^2 - |p - o|^2) / (2 R) <= 0 where the target is pushed. Where it may be lifted, the smooth
 ///   maximum of how far it is beside the obstacle, (|p - o|^2 - R^2) / (2 R), and above it is >= 0;
-/// - control points keep to the workbench, and those of a step in place to its cell. By the convex
-///   hull property of splines that holds between the samples too.
+/// - control points keep to the workbench and to the box of the plan's way, and those of a step in
+///   place to its cell. By the convex hull property of splines that holds between the samples too.
 ///
 /// Variables are the control points between the first three and the last three: x and y of each,
 /// then, where the target may be lifted, the lift of each. Headings stay as they are.

@@ -16,8 +16,11 @@ namespace conceptplan {
 namespace {
 
 constexpr double kLengthTolerance_m = 1e-6;  // rounding of the sum of chords
-constexpr double kReach_m = 0.02;            // pairs this much nearer than allowed are watched
-constexpr int kMostRounds = 4;               // of adding what a solution overlooked
+constexpr double kReach_m = 0.04;            // pairs this near to what is allowed are watched
+/// The solvers' first step is about as long as the gradient; this makes it centimetres, so that it
+/// does not lead through obstacles.
+constexpr double kObjectiveScale = 0.02;
+constexpr int kMostRounds = 4;  // of adding what a solution overlooked
 
 struct NamedAlgorithm {
   RefinementAlgorithm entry;
@@ -61,8 +64,10 @@ std::string millimetres(double length_m) {
 }
 
 double objectiveOf(unsigned count, const double* variables, double* gradient, void* program) {
-  return static_cast<const MotionProgram*>(program)->objective(
+  const double value = static_cast<const MotionProgram*>(program)->objective(
       Eigen::Map<const Eigen::VectorXd>(variables, count), gradient);
+  if (gradient != nullptr) Eigen::Map<Eigen::VectorXd>(gradient, count) *= kObjectiveScale;
+  return kObjectiveScale * value;
 }
 
 void constraintsOf(unsigned, double* values, unsigned count, const double* variables,
@@ -85,7 +90,7 @@ int minimise(MotionProgram& program, nlopt_algorithm algorithm, int max_evaluati
     nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(tolerances.size()),
                                      &constraintsOf, &program, tolerances.data());
   }
-  nlopt_set_ftol_rel(solver.get(), 1e-5);
+  nlopt_set_ftol_rel(solver.get(), 1e-4);
   nlopt_set_maxeval(solver.get(), max_evaluations);
   nlopt_set_initial_step1(solver.get(), 0.02);
   double least = 0;
@@ -162,8 +167,9 @@ Candidate solve(const MotionTask& task, const RefinementOptions& options, const 
   MotionProgram program(task, options, discrete.trajectory, lifted);
   Candidate best = discrete;
   if (program.numVariables() == 0) return best;
-  Eigen::VectorXd variables = program.startOf(discrete.trajectory);
   for (int round = 0; round < kMostRounds; ++round) {
+    // From the plan each time: a motion that went through an obstacle cannot be led out of it.
+    Eigen::VectorXd variables = program.startOf(discrete.trajectory);
     if (program.select(best.trajectory, round == 0 ? kReach_m : 0) == 0 && round > 0) break;
     evaluations +=
         minimise(program, find(options.algorithm)->id, options.max_evaluations, variables);
