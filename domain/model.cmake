@@ -3,11 +3,13 @@ set(model_headers
   include/conceptplan/domain/model/context_feature.hpp
   include/conceptplan/domain/model/symbol_grounding.hpp
   include/conceptplan/domain/model/symbolic_model.hpp
-  include/conceptplan/domain/model/transition_model.hpp)
+  include/conceptplan/domain/model/transition_model.hpp
+  include/conceptplan/domain/model/upright_cylinder.hpp)
 set(model_sources
   src/model/action_legality.cpp
   src/model/context_feature.cpp
   src/model/model_description.cpp
   src/model/symbol_grounding.cpp
   src/model/symbolic_model_file.cpp
-  src/model/transition_model.cpp)
+  src/model/transition_model.cpp
+  src/model/upright_cylinder.cpp)

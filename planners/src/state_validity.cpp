@@ -16,6 +16,18 @@ std::string_view name(Invalidity cause) {
   return "check_failed";
 }
 
+std::vector<Verdict> StateValidity::checkAll(const Workbench& workbench,
+                                             const SymbolGrounding& grounding,
+                                             std::span<const Symbols> targets,
+                                             std::span<const Symbols> others) const {
+  std::vector<Verdict> verdicts;
+  verdicts.reserve(targets.size());
+  for (const Symbols& target : targets) {
+    verdicts.push_back(check(workbench, grounding, target, others));
+  }
+  return verdicts;
+}
+
 Verdict GridValidity::check(const Workbench& workbench, const SymbolGrounding& grounding,
                             const Symbols& target, std::span<const Symbols> others) const {
   const Cell cell = grounding.cell(target);

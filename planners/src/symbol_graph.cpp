@@ -78,37 +78,31 @@ void markChangeable(const SymbolicModel& model, Surroundings surroundings, doubl
   }
 }
 
-/// Asks a validity check once for all states that agree in the concepts on which it depends.
-class CachedValidity {
- public:
-  /// Keeps references; `among` gives what stands for the other concepts, and the other objects.
-  CachedValidity(const StateValidity& validity, const Workbench& workbench,
-                 const Surroundings& among)
-      : validity_(validity),
-        workbench_(workbench),
-        among_(among),
-        relevant_(validity.dependsOn()) {}
-
-  const Verdict& check(Symbols target) {
+/// The verdict of each target. Targets that agree in the concepts on which the check depends are
+/// asked for once; of the others' concepts, `among` has the values that are asked with.
+/// @param checks is raised by the number of targets asked for.
+std::vector<Verdict> verdictsOf(const std::vector<Symbols>& targets, const StateValidity& validity,
+                                const Workbench& workbench, const Surroundings& among,
+                                std::size_t& checks) {
+  const std::array<bool, kNumConcepts> relevant = validity.dependsOn();
+  std::map<Symbols, std::size_t> known;
+  std::vector<Symbols> asked;
+  std::vector<std::size_t> answer;  // [targets]
+  for (Symbols target : targets) {
     for (std::size_t k = 0; k < kNumConcepts; ++k) {
-      if (!relevant_[k]) target[k] = among_.target[k];
+      if (!relevant[k]) target[k] = among.target[k];
     }
-    const auto [entry, is_new] = known_.try_emplace(target);
-    if (is_new) {
-      entry->second = validity_.check(workbench_, among_.grounding, target, among_.others);
-    }
-    return entry->second;
+    const auto [entry, is_new] = known.try_emplace(target, asked.size());
+    if (is_new) asked.push_back(target);
+    answer.push_back(entry->second);
   }
-
-  std::size_t checks() const { return known_.size(); }
-
- private:
-  const StateValidity& validity_;
-  const Workbench& workbench_;
-  const Surroundings& among_;
-  std::array<bool, kNumConcepts> relevant_;
-  std::map<Symbols, Verdict> known_;
-};
+  checks += asked.size();
+  const std::vector<Verdict> answers =
+      validity.checkAll(workbench, among.grounding, asked, among.others);
+  std::vector<Verdict> verdicts;
+  for (const std::size_t i : answer) verdicts.push_back(answers[i]);
+  return verdicts;
+}
 
 /// The next states of one action: the product of the effects on the single concepts.
 /// @param first_state state of the reading whose concepts are all 0.
@@ -219,11 +213,15 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
   for (const SceneReading& reading : readings) {
     const Surroundings among{model.grounding, graph.frozen_, reading.others};
     const std::size_t first_state = graph.verdicts_.size();
-    CachedValidity cached(validity, problem.initial.workbench, among);
+    std::vector<Symbols> targets;
     for (std::size_t i = 0; i < states; ++i) {
-      Surroundings here = among;
-      here.target = graph.symbols(static_cast<StateId>(i));
-      graph.verdicts_.push_back(cached.check(here.target));
+      targets.push_back(graph.symbols(static_cast<StateId>(i)));
+    }
+    const std::vector<Verdict> verdicts =
+        verdictsOf(targets, validity, problem.initial.workbench, among, graph.validity_checks_);
+    graph.verdicts_.insert(graph.verdicts_.end(), verdicts.begin(), verdicts.end());
+    for (const Symbols& target : targets) {
+      const Surroundings here{among.grounding, target, among.others};
       for (const Action action : kActions) {
         const bool defined = model.transitions.isDefined(action, here);
         graph.legality_.push_back(defined ? model.legality.probability(action, here) : 0);
@@ -234,7 +232,6 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
         }
       }
     }
-    graph.validity_checks_ += cached.checks();
   }
   graph.first_transition_.push_back(graph.transitions_.size());
   return graph;

@@ -87,6 +87,7 @@ int examine(Session& session) {
       checkLibrary("OpenCV", "libopencv_core"),
       checkLibrary("Embree", "libembree"),
       checkLibrary("FCL", "libfcl"),
+      checkLibrary("NLopt", "libnlopt"),
       checkLibrary("yaml-cpp", "libyaml-cpp"),
       checkEigen(),
       checkBlas(),

@@ -2,6 +2,7 @@
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/rgbd_image_file.hpp"
 #include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "conceptplan/nlopt/trajectory_file.hpp"
 #include "conceptplan/pipeline/report.hpp"
 #include "exit_code.hpp"
 #include "result_json.hpp"
@@ -24,7 +25,7 @@ std::string stepName(std::size_t step) {
   return std::string("step-") + (step < 10 ? "0" : "") + std::to_string(step) + ".png";
 }
 
-/// result.json, report.html and the predicted frames.
+/// result.json, report.html, the predicted frames and the refined motion.
 void writeFolder(const std::filesystem::path& folder, const SolvedScenario& solved,
                  const Json& result, std::uint64_t seed) {
   createFolder(folder);
@@ -32,6 +33,7 @@ void writeFolder(const std::filesystem::path& folder, const SolvedScenario& solv
     const RgbdImage& frame = solved.solution.frames[i];
     writeFileAtomically(folder / stepName(i + 1), encodePng(frame.width, frame.height, frame.rgb));
   }
+  if (solved.solution.refinement) writeTrajectory(folder, *solved.solution.refinement);
   writeReport(folder / "report.html",
               reportOf(solved.scenario, *solved.model, solved.solution, solved.planner, seed));
   writeFileAtomically(folder / "result.json", result.dump(2) + "\n");
@@ -63,8 +65,11 @@ void printSolution(const SolvedScenario& solved, Console& console) {
     console.print("in the simulator the best plan " +
                   (failure ? "fails: " + std::string(name(*failure)) : "reaches the goal"));
   }
-  if (solved.scenario.refine_clearance_m) {
-    console.message("conceptplan: refine: this version has no refiner; plans stay symbolic");
+  if (const auto& refinement = solved.solution.refinement) {
+    console.print("motion: " + decimal(1000 * refinement->length_m, 0) + " mm, " +
+                  decimal(1000 * refinement->clearance_m, 1) + " mm clear" +
+                  (refinement->fell_back ? "; the plan as it is, since " + refinement->reason
+                                         : std::string()));
   }
 }
 
@@ -107,7 +112,8 @@ void addPlanCommand(CommandLine& line) {
   command.add_option("SCENARIO", options->path, "Scenario file or folder")->required();
   command
       .add_option("--out", options->out,
-                  "Folder for result.json, report.html and step-NN.png, the predicted frames")
+                  "Folder for result.json, report.html, step-NN.png, the predicted frames, and "
+                  "trajectory.json and trajectory.csv, the refined motion")
       ->type_name("DIR");
   command.add_option("--planner", options->planner, "A planner in place of the scenario's own")
       ->type_name("NAME");

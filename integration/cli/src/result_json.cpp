@@ -18,7 +18,7 @@ Json planJson(const Plan& plan) {
 
 Json timesJson(const StageTimes& times) {
   return {{"perceive", times.perceive_ms}, {"compile", times.compile_ms},
-          {"search", times.search_ms},     {"refine", 0.0},
+          {"search", times.search_ms},     {"refine", times.refine_ms},
           {"render", times.render_ms},     {"total", times.total_ms}};
 }
 
@@ -36,6 +36,14 @@ Json evaluationJson(const std::optional<Evaluation>& evaluation) {
           {"efficiency", best.efficiency ? Json(*best.efficiency) : Json()},
           {"final_distance", best.final_distance},
           {"failure", best.failure ? Json(name(*best.failure)) : Json()}};
+}
+
+Json refinementJson(const std::optional<RefinementResult>& refinement) {
+  if (!refinement) return nullptr;
+  return {{"length_m", refinement->length_m},
+          {"clearance_m", refinement->clearance_m},
+          {"fell_back", refinement->fell_back},
+          {"reason", refinement->reason}};
 }
 
 Json makeResult(const ResultKey& key, const std::string& status, const std::string& reason) {
@@ -87,6 +95,7 @@ Json resultJson(const ResultKey& key, const Solution& solution) {
   json["doubts"] = solution.doubts;
   json["times_ms"] = timesJson(solution.times);
   json["statistics"] = statisticsJson(result.statistics);
+  json["refinement"] = refinementJson(solution.refinement);
   return json;
 }
 

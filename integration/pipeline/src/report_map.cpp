@@ -122,6 +122,29 @@ std::string way(const Report& report, const Plan& plan) {
   return svg;
 }
 
+/// The refined motion, dotted where the target is lifted.
+std::string motionPath(const Report& report, const ReportMotion& motion) {
+  const Workbench& workbench = report.problem.initial.workbench;
+  const auto place = [&](const Eigen::Vector3d& point) {
+    return decimal(kCell * (point.x() / workbench.cell_m + 0.5 * workbench.columns), 1) + " " +
+           decimal(kMargin + kCell * (0.5 * workbench.rows - point.y() / workbench.cell_m), 1);
+  };
+  const auto isLifted = [](const Eigen::Vector3d& point) { return point.z() > 0; };
+  std::string svg;
+  for (std::size_t first = 0; first + 1 < motion.points.size();) {
+    const bool lifted = isLifted(motion.points[first + 1]);
+    std::size_t last = first + 1;
+    std::string line = "M" + place(motion.points[first]) + "L" + place(motion.points[last]);
+    while (last + 1 < motion.points.size() && isLifted(motion.points[last + 1]) == lifted) {
+      line += " " + place(motion.points[++last]);
+    }
+    svg +=
+        "<path class=\"motion" + std::string(lifted ? " lifted" : "") + "\" d=\"" + line + "\"/>";
+    first = last;
+  }
+  return svg;
+}
+
 }  // namespace
 
 std::string workbenchMap(const Report& report) {
@@ -137,6 +160,7 @@ std::string workbenchMap(const Report& report) {
   svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) + attribute("y", goal.y - 28) +
          attribute("width", 56) + attribute("height", 56) + attribute("rx", 8) + "/>" +
          things(report);
+  if (report.motion) svg += motionPath(report, *report.motion);
   if (!report.result.plans.empty()) svg += way(report, report.result.plans.front());
   return svg + thingNames(report) + "</svg>";
 }

@@ -104,6 +104,19 @@ bool comparesFrames(const Report& report) {
   });
 }
 
+std::string motionCaption(const Report& report) {
+  if (!report.motion) return "";
+  const auto millimetres = [](double length_m) { return decimal(1000 * length_m, 0) + " mm"; };
+  const ReportMotion& motion = *report.motion;
+  const std::string measures = millimetres(motion.length_m) + " long and at least " +
+                               millimetres(motion.clearance_m) + " clear of everything";
+  if (motion.fallback.empty()) {
+    return " The line is the refined motion, dotted where the target is lifted: " + measures + ".";
+  }
+  return " The line is the plan as it is, " + measures +
+         ", since no refined motion does what is asked: " + escaped(motion.fallback) + ".";
+}
+
 }  // namespace
 
 std::string picturesSection(const Report& report) {
@@ -147,7 +160,8 @@ std::string planSection(const Report& report) {
   }
   return html + "<figure class=\"map card\">" + workbenchMap(report) +
          "<figcaption>From above: the target is round, the dashed cell is its goal, numbers are "
-         "the steps.</figcaption></figure></div></section>";
+         "the steps." +
+         motionCaption(report) + "</figcaption></figure></div></section>";
 }
 
 }  // namespace conceptplan::report

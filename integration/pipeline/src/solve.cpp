@@ -61,6 +61,18 @@ Evaluation evaluationOf(const Task& task, const PlanResult& result) {
   return evaluation;
 }
 
+/// The motion in steps of 5 mm.
+ReportMotion motionOf(const RefinementResult& refinement) {
+  ReportMotion motion;
+  for (const MotionPoint& point : refinement.trajectory.denseSamples(0.005)) {
+    motion.points.emplace_back(point.x_m, point.y_m, point.lift_m);
+  }
+  motion.length_m = refinement.length_m;
+  motion.clearance_m = refinement.clearance_m;
+  motion.fallback = refinement.reason;
+  return motion;
+}
+
 /// What the simulator shows after each step, as far as the plan is legal.
 std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Plan& plan) {
   Renderer renderer;
@@ -137,6 +149,15 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
   solution.result = planner.solve(graph, query);
   solution.times.search_ms = stage.lap();
 
+  if (scenario.refine_clearance_m && !solution.result.plans.empty()) {
+    RefinementOptions refinement;
+    refinement.clearance_m = *scenario.refine_clearance_m;
+    solution.refinement = Refiner(refinement)
+                              .refine(motionTaskOf(solution.problem, model.symbolic().grounding,
+                                                   solution.result.plans.front()));
+  }
+  solution.times.refine_ms = stage.lap();
+
   if (pictures != nullptr && options.render && scenario.render && !solution.result.plans.empty())
     solution.frames = model.render(pictures->initial, initial,
                                    solution.instances[solution.problem.initial.target],
@@ -164,6 +185,7 @@ Report reportOf(const Scenario& scenario, const Model& model, const Solution& so
   report.grounding = model.symbolic().grounding;
   report.doubts = solution.doubts;
   report.result = solution.result;
+  if (solution.refinement) report.motion = motionOf(*solution.refinement);
   for (const RgbdImage& frame : solution.frames) report.frames.push_back({frame, {}});
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
@@ -181,11 +203,9 @@ Report reportOf(const Scenario& scenario, const Model& model, const Solution& so
     }
   }
   const StageTimes& times = solution.times;
-  report.times_ms = {{"perceive", times.perceive_ms},
-                     {"compile", times.compile_ms},
-                     {"search", times.search_ms},
-                     {"render", times.render_ms},
-                     {"total", times.total_ms}};
+  report.times_ms = {{"perceive", times.perceive_ms}, {"compile", times.compile_ms},
+                     {"search", times.search_ms},     {"refine", times.refine_ms},
+                     {"render", times.render_ms},     {"total", times.total_ms}};
   report.facts = {
       {"planner", planner}, {"seed", std::to_string(seed)}, {"model", model.manifest().name}};
   report.versions = {{"ConceptPlan", CONCEPTPLAN_VERSION}, {"model", model.manifest().revision}};

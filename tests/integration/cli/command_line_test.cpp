@@ -127,8 +127,8 @@ TEST(Doctor, JsonNamesEveryCheck) {
     EXPECT_THAT(check["found"].get<std::string>(), Not(IsEmpty()));
     EXPECT_TRUE(check["ok"] || !check["advice"].get<std::string>().empty()) << check;
   }
-  EXPECT_THAT(names, testing::IsSupersetOf({"Torch", "OpenCV", "Embree", "FCL", "Eigen", "yaml-cpp",
-                                            "BLAS", "threads"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"Torch", "OpenCV", "Embree", "FCL", "NLopt", "Eigen",
+                                            "yaml-cpp", "BLAS", "threads"}));
 }
 
 }  // namespace

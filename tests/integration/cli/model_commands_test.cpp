@@ -222,6 +222,23 @@ TEST_F(ModelCommands, PlanWritesResultAndReport) {
   EXPECT_EQ(runCommand({"plan", scenarios()}).exit_code, 2);
 }
 
+TEST_F(ModelCommands, PlanRefinesWhereTheScenarioAsksForIt) {
+  const auto folder = root_ / "refined-scenario";
+  std::filesystem::copy(scenarios() + "/level4-0001", folder);
+  const std::string yaml = readFile(folder / "scenario.yaml");
+  writeFileAtomically(folder / "scenario.yaml", yaml + "refine: {clearance_m: 0.01}\n");
+  const auto out = root_ / "refined";
+  const CommandResult result = runCommand({"plan", folder.string(), "--out", out.string()});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_THAT(result.out, HasSubstr("mm clear"));
+  const json refinement = json::parse(readFile(out / "result.json"))["refinement"];
+  const json motion = json::parse(readFile(out / "trajectory.json"));
+  EXPECT_EQ(motion["length_m"], refinement["length_m"]);
+  EXPECT_EQ(motion["clearance_m"], refinement["clearance_m"]);
+  EXPECT_THAT(readFile(out / "trajectory.csv"), HasSubstr("time_s,x_m,y_m,heading_rad,lift_m"));
+  EXPECT_THAT(readFile(out / "report.html"), HasSubstr("class=\"motion"));
+}
+
 TEST_F(ModelCommands, PlanReadsPicturesAndPredictsFrames) {
   const std::string folder = (root_ / "pictures").string();
   ASSERT_EQ(

@@ -62,6 +62,17 @@ TEST(ResultJson, HasTheStableNamesInOrder) {
   }
 }
 
+TEST(ResultJson, RefinementTellsItsMeasures) {
+  Solution solution = solved({{Action::kMoveFront}});
+  Trajectory::ControlPoints points = Trajectory::ControlPoints::Zero(4, 3);
+  solution.refinement = RefinementResult{Trajectory(points, 1), 0.5, 0.25, true, "shut in"};
+  solution.times.refine_ms = 2;
+  const Json json = resultJson(kKey, solution);
+  EXPECT_EQ(json["refinement"].dump(),
+            R"({"length_m":0.5,"clearance_m":0.25,"fell_back":true,"reason":"shut in"})");
+  EXPECT_EQ(json["times_ms"]["refine"], 2);
+}
+
 TEST(ResultJson, EvaluationTellsSuccessOrItsCause) {
   const Json wrong = resultJson(kKey, judged(Failure::kOffWorkbench))["evaluation"];
   EXPECT_EQ(wrong.dump(), R"({"top1":false,"top5":true,"efficiency":null,"final_distance":1.5,)"

@@ -30,7 +30,12 @@ TEST(ShippedScenarios, TheShippedModelSolvesAllThatHaveASolution) {
       EXPECT_EQ(solved["status"], "solved") << name;
       EXPECT_EQ(solved["evaluation"]["top1"], true) << name << ": " << solved["evaluation"];
     }
+    if (solved["refinement"].is_null()) continue;
+    ++kinds["refined"];
+    EXPECT_EQ(solved["refinement"]["fell_back"], false) << name << ": " << solved["refinement"];
+    EXPECT_GE(solved["refinement"]["clearance_m"], 0.01) << name;
   }
+  EXPECT_GE(kinds["refined"], 3);
   for (const char* kind : {"level1", "level2", "level3", "level4"}) EXPECT_GE(kinds[kind], 3);
   EXPECT_GE(kinds["infeasible"], 1);
 }

@@ -128,6 +128,49 @@ TEST(FclValidity, FindsWhatTheDistanceOfDiscsFindsOnFootprintsOfAllSizes) {
   }
 }
 
+TEST(FclValidity, AllStatesAtOnceAreAsEachAlone) {
+  const SymbolGrounding grounding = standardGrounding();
+  const std::vector<Symbols> others{at(0, 1, 3, 2), at(1, 3, 0, 7), at(2, 3, 2, 5)};
+  std::vector<Symbols> targets;
+  for (int i = 0; i < 60; ++i) targets.push_back(at(i % 3, i / 3 % 5, i / 15));
+  const std::vector<Verdict> all = FclValidity().checkAll({}, grounding, targets, others);
+  ASSERT_EQ(all.size(), targets.size());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    EXPECT_EQ(all[i], FclValidity().check({}, grounding, targets[i], others));
+    EXPECT_EQ(all[i], FclValidity().StateValidity::checkAll({}, grounding, targets, others)[i]);
+  }
+}
+
+TEST(FclValidity, AMotionMayHitWhatNeitherEndDoes) {
+  const SymbolGrounding grounding = withRadius(0.08);
+  const std::vector<Symbols> others{at(0, 0), at(1, 2)};
+  const Verdict across = FclValidity().checkMotion({}, grounding, at(0, 2), at(2, 2), others);
+  EXPECT_EQ(across.cause, Invalidity::kCollision);
+  EXPECT_EQ(across.object, 1u);
+  EXPECT_NEAR(across.clearance_m, -0.16, 1e-9);
+  const Verdict diagonal = FclValidity().checkMotion({}, grounding, at(0, 2), at(1, 1), others);
+  EXPECT_EQ(diagonal.cause, Invalidity::kCollision);  // 141 mm from the other's centre
+  const Verdict beside = FclValidity().checkMotion({}, grounding, at(0, 2), at(0, 1), others);
+  EXPECT_TRUE(beside.valid());
+  EXPECT_NEAR(beside.clearance_m, 0.02, 1e-9);  // the edge
+}
+
+TEST(FclValidity, StepsFromCellToCellAreAsValidAsTheirEnds) {
+  const SymbolGrounding grounding = standardGrounding();
+  const std::vector<Symbols> others{at(0, 1), at(1, 3), at(2, 3)};
+  for (int i = 0; i < 15; ++i) {
+    const Symbols from = at(i % 3, i / 3);
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1)}) {
+      if (i % 3 + dx > 2 || i / 3 + dy > 4) continue;
+      const Symbols to = at(i % 3 + dx, i / 3 + dy);
+      const Verdict motion = FclValidity().checkMotion({}, grounding, from, to, others);
+      const bool ends = FclValidity().check({}, grounding, from, others).valid() &&
+                        FclValidity().check({}, grounding, to, others).valid();
+      EXPECT_EQ(motion.valid(), ends);
+    }
+  }
+}
+
 TEST(FclValidity, ThreadsMayShareOne) {
   const FclValidity validity;
   const SymbolGrounding grounding = standardGrounding();

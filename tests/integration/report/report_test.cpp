@@ -121,6 +121,20 @@ TEST(Report, SaysThatNothingNeedsToBeDone) {
   EXPECT_THAT(renderReport(report), HasSubstr("Nothing needs to be done"));
 }
 
+TEST(Report, DrawsTheRefinedMotionOverTheMap) {
+  Report report = sampleReport();
+  EXPECT_THAT(renderReport(report), Not(HasSubstr("class=\"motion")));
+  report.motion =
+      ReportMotion{{{-0.2, -0.2, 0}, {-0.1, 0, 0}, {0, 0.1, 0.1}, {0, 0.2, 0}}, 0.4321, 0.0126, ""};
+  const std::string page = renderReport(report);
+  // The middle of the workbench of 3 x 5 cells of 64 lies at 96, 18 + 160.
+  EXPECT_THAT(page, HasSubstr("class=\"motion\" d=\"M32.0 242.0L64.0 178.0\""));
+  EXPECT_THAT(page, HasSubstr("class=\"motion lifted\" d=\"M64.0 178.0L96.0 146.0\""));
+  EXPECT_THAT(page, HasSubstr("432 mm long and at least 13 mm clear"));
+  report.motion->fallback = "the start is <too> near";
+  EXPECT_THAT(renderReport(report), HasSubstr("the start is &lt;too&gt; near"));
+}
+
 TEST(Report, NamesObjectsByTheirMask) {
   Report report = sampleReport();
   report.instances = {7, 8, 9};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "conceptplan/domain/model/symbol_grounding.hpp"
 #include "conceptplan/domain/symbols.hpp"
@@ -41,6 +42,13 @@ class StateValidity {
   /// @pre all symbols are below the cardinality of the grounding.
   virtual Verdict check(const Workbench& workbench, const SymbolGrounding& grounding,
                         const Symbols& target, std::span<const Symbols> others) const = 0;
+
+  /// `check` of each target among the same others, [targets]; for checks that can do all at once
+  /// faster.
+  virtual std::vector<Verdict> checkAll(const Workbench& workbench,
+                                        const SymbolGrounding& grounding,
+                                        std::span<const Symbols> targets,
+                                        std::span<const Symbols> others) const;
 
   /// The concepts of the target on which the answer depends; one check serves all states that
   /// agree in them.

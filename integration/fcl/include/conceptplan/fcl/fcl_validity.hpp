@@ -2,7 +2,9 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
+#include "conceptplan/fcl/fcl_scene.hpp"
 #include "conceptplan/planners/state_validity.hpp"
 
 namespace conceptplan {
@@ -11,19 +13,15 @@ struct FclValidityOptions {
   /// Clearance that must remain between two objects, metres; > 0, since FCL is unreliable on
   /// shapes that touch exactly.
   double margin_m = 0.002;
-  /// Footprints count up to this share of a cell's edge; what a handle sticks out further passes
-  /// over its neighbour. In (0, 0.5).
-  double max_radius_cells = 0.48;
+  /// Footprints count up to this share of a cell's edge. In (0, 0.5).
+  double max_radius_cells = kMaxRadiusCells;
 };
 
 /// Validity by collision geometry: upright cylinders of the measured footprints at the centres of
 /// the cells that the position symbols stand for, against each other and the workbench's edge.
-/// The target is grown by the margin and FCL asked whether it meets another cylinder, without
-/// contacts; a footprint without a measure and whatever FCL throws give `Invalidity::kCheckFailed`.
-/// `Verdict::clearance_m` is the distance to the nearest object or edge. Thread-safe.
-///
-/// FCL's distance query is left out with intent: its GJK aborts the process on an assertion for
-/// some poses (FCL 0.7, gjk_libccd-inl.h, doSimplex2).
+/// A footprint without a measure and whatever FCL throws give `Invalidity::kCheckFailed`; what
+/// `contactOf` calls touching is a collision. `Verdict::clearance_m` is the distance to the nearest
+/// object or edge. Thread-safe.
 class FclValidity final : public StateValidity {
  public:
   /// @throws std::invalid_argument if an option is out of range.
@@ -31,7 +29,20 @@ class FclValidity final : public StateValidity {
 
   Verdict check(const Workbench& workbench, const SymbolGrounding& grounding, const Symbols& target,
                 std::span<const Symbols> others) const override;
+  std::vector<Verdict> checkAll(const Workbench& workbench, const SymbolGrounding& grounding,
+                                std::span<const Symbols> targets,
+                                std::span<const Symbols> others) const override;
   std::array<bool, kNumConcepts> dependsOn() const override;
+
+  /// Whether the target can be pushed straight from one state to another; it is as large as in
+  /// `from`. @pre all symbols are below the cardinality of the grounding.
+  Verdict checkMotion(const Workbench& workbench, const SymbolGrounding& grounding,
+                      const Symbols& from, const Symbols& to,
+                      std::span<const Symbols> others) const;
+
+  /// The other objects of a scene, for many questions.
+  FclScene sceneOf(const Workbench& workbench, const SymbolGrounding& grounding,
+                   std::span<const Symbols> others) const;
 
  private:
   FclValidityOptions options_;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +22,14 @@ struct ReportFrames {
   RgbdImage reference;  ///< what the simulator renders, where there is a ground truth
 };
 
+/// The continuous motion that the best plan was refined to.
+struct ReportMotion {
+  std::vector<Eigen::Vector3d> points;  ///< x, y and lift in the workbench's frame, metres
+  double length_m = 0;
+  double clearance_m = 0;
+  std::string fallback;  ///< why it is the plan as it was; empty if it was refined
+};
+
 /// All that one page tells of one scenario, solved or not. Text is UTF-8 and escaped by the page;
 /// what is empty is left out.
 struct Report {
@@ -33,7 +43,8 @@ struct Report {
   std::vector<std::string> doubts;      ///< sentences on symbols that are guesses
   PlanResult result;
   std::vector<ReportFrames> frames;  ///< one an action of the best plan, or none
-  double legality_threshold = 0;     ///< below which the planner refused actions
+  std::optional<ReportMotion> motion;
+  double legality_threshold = 0;  ///< below which the planner refused actions
   std::vector<std::pair<std::string, double>> times_ms;       ///< name, duration
   std::vector<std::pair<std::string, std::string>> facts;     ///< e.g. planner, seed, model
   std::vector<std::pair<std::string, std::string>> versions;  ///< of the program and libraries

@@ -7,6 +7,7 @@
 
 #include "conceptplan/domain/scenario/scenario.hpp"
 #include "conceptplan/domain/simulation/judgement.hpp"
+#include "conceptplan/nlopt/refiner.hpp"
 #include "conceptplan/pipeline/model.hpp"
 #include "conceptplan/pipeline/report.hpp"
 #include "conceptplan/planners/planner.hpp"
@@ -29,6 +30,7 @@ struct StageTimes {
   double perceive_ms = 0;
   double compile_ms = 0;
   double search_ms = 0;
+  double refine_ms = 0;
   double render_ms = 0;
   double total_ms = 0;
 };
@@ -40,13 +42,14 @@ struct Solution {
   std::vector<std::string>
       doubts;  ///< what in the pictures fits no learned symbol, a sentence each
   PlanResult result;
+  std::optional<RefinementResult> refinement;  ///< of the best plan, if the scenario asks for one
   std::vector<RgbdImage> frames;  ///< as `Model::render`, of the best plan; empty if not rendered
   std::optional<Evaluation> evaluation;
   StageTimes times;
 };
 
 /// From pictures (or given symbols) to plans and frames: perceive, compile with FCL validity,
-/// search, render, and judge if there is a reference. Thread-safe.
+/// search, refine, render, and judge if there is a reference. Thread-safe.
 /// @throws InputError if the scenario does not fit the model, or its target cannot be told or is
 /// hidden.
 Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
@@ -58,8 +61,8 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
 SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
                           std::optional<std::uint8_t> target);
 
-/// The page of a solution: pictures, symbols, plans, frames beside the simulator's where there is a
-/// reference, rejections, times. `planner` is the planner's name.
+/// The page of a solution: pictures, symbols, plans, the refined motion, frames beside the
+/// simulator's where there is a reference, rejections, times. `planner` is the planner's name.
 Report reportOf(const Scenario& scenario, const Model& model, const Solution& solution,
                 const std::string& planner, std::uint64_t seed);
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "conceptplan/domain/model/upright_cylinder.hpp"
+#include "conceptplan/nlopt/trajectory.hpp"
+#include "conceptplan/planners/plan_result.hpp"
+
+namespace conceptplan {
+
+/// Where the target is after a step of a plan.
+struct MotionWaypoint {
+  Eigen::Vector2d p_W;
+  double heading_rad = 0;  ///< turned since the start
+  /// Whether the step was taken within the cell, as turns and changes of colour are. Such a step
+  /// belongs to its place; a move only to where it leads.
+  bool in_place = false;
+};
+
+/// The motion that a symbolic plan asks for, in space.
+struct MotionTask {
+  Workbench workbench;
+  UprightCylinder target;                 ///< at the start
+  std::vector<MotionWaypoint> waypoints;  ///< the start, then one an action; at least one
+  std::vector<UprightCylinder> obstacles;
+};
+
+/// Most probable symbols stand for the objects, and the plan's predicted symbols for its steps. An
+/// action that leaves the position symbols alone is a step in place; `rotate_left` and
+/// `rotate_right` that change the ROTATION symbol turn a quarter turn.
+/// @throws std::invalid_argument if the plan has not one predicted state an action.
+MotionTask motionTaskOf(const SymbolicProblem& problem, const SymbolGrounding& grounding,
+                        const Plan& plan, double max_radius_cells = kMaxRadiusCells);
+
+/// The plan as it is: from waypoint to waypoint on straight lines, at rest in each. Three spans an
+/// action.
+Trajectory discreteTrajectory(const MotionTask& task, double action_s);
+
+/// Length of the way over the workbench, seen from above, metres.
+double length_m(const Trajectory& trajectory);
+
+/// The least clearance of the target on the trajectory to any obstacle and to the workbench's edge,
+/// metres, at steps of half a millimetre. To an obstacle it is the larger of the gap between the
+/// discs and the height above its top: what cylinders grown by it would just keep.
+double clearance_m(const MotionTask& task, const Trajectory& trajectory);
+
+/// Integral of the squared jerk of the position, lift included, m^2 / s^5.
+double squaredJerk(const Trajectory& trajectory);
+
+}  // namespace conceptplan
