@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "belief_search.hpp"
 #include "conceptplan/planners/belief_update.hpp"
 #include "legality_trace.hpp"
+#include "option_range.hpp"
 #include "search_guard.hpp"
 
 namespace conceptplan {
@@ -17,14 +17,6 @@ namespace {
 constexpr std::size_t kTracedStates = 64;
 /// Scores that differ by less are equal, and length decides.
 constexpr double kScoreResolution = 1e-12;
-
-void checkRange(const char* option, double value, double least, double most) {
-  if (!(value >= least && value <= most)) {
-    throw std::invalid_argument(std::string(option) + " is " + std::to_string(value) +
-                                ", expected a number in [" + std::to_string(least) + ", " +
-                                std::to_string(most) + "]");
-  }
-}
 
 /// The belief that is certain of one state.
 StateBelief only(const SymbolGraph& graph, StateId state) {
@@ -144,11 +136,11 @@ bool isGoalInReach(const SymbolGraph& graph, double threshold, std::size_t horiz
 }  // namespace
 
 BeliefPlanner::BeliefPlanner(const BeliefPlannerOptions& options) : options_(options) {
-  checkRange("legality_threshold", options.legality_threshold, 0, 1);
-  checkRange("step_discount", options.step_discount, 0, 0.5);
-  checkRange("min_probability", options.min_probability, 0, 1);
-  checkRange("min_hypothesis", options.min_hypothesis, 0, 1);
-  checkRange("alternative_share", options.alternative_share, 0, 1);
+  checkOptionRange("legality_threshold", options.legality_threshold, 0, 1);
+  checkOptionRange("step_discount", options.step_discount, 0, 0.5);
+  checkOptionRange("min_probability", options.min_probability, 0, 1);
+  checkOptionRange("min_hypothesis", options.min_hypothesis, 0, 1);
+  checkOptionRange("alternative_share", options.alternative_share, 0, 1);
 }
 
 PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
@@ -193,6 +185,9 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   result.plans.clear();
   result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
   result.reason = guard.stopped() ? guard.reason() : obstacle;
+  if (!guard.stopped() && mismatch.empty()) {
+    explainInfeasible(graph, task.threshold, query.limits.horizon, result);
+  }
   result.rejections =
       traceRejections(graph,
                       reachableStates(graph, graph.mostProbableStart(), task.threshold,

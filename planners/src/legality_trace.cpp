@@ -1,14 +1,140 @@
 #include "legality_trace.hpp"
 
 #include <algorithm>
-#include <string>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "projection_heuristic.hpp"
 
 namespace conceptplan {
 namespace {
 
+constexpr std::size_t kNotReached = std::numeric_limits<std::size_t>::max();
+/// Sets of objects are bits of one word; objects beyond are never taken away.
+constexpr std::size_t kMostObjects = 20;
+/// States looked at, in all, to find the blocking objects.
+constexpr std::size_t kMostVisits = 2'000'000;
+
 /// Scene index of the i-th object that is not the target.
 std::size_t sceneIndex(const SymbolGraph& graph, std::size_t other) {
   return other < graph.problem().initial.target ? other : other + 1;
+}
+
+/// Which of the objects other than the target are taken away.
+using ObjectSet = std::uint32_t;
+
+bool isPassable(const Verdict& verdict, ObjectSet removed) {
+  return verdict.valid() || (verdict.cause == Invalidity::kCollision &&
+                             verdict.object < kMostObjects && (removed >> verdict.object & 1) != 0);
+}
+
+/// Fewest actions from a state to each other one by legal actions and any outcomes, kNotReached if
+/// there is no way.
+std::vector<std::size_t> actionsFrom(const SymbolGraph& graph, StateId from,
+                                     double legality_threshold, ObjectSet removed) {
+  std::vector<std::size_t> actions(graph.numStates(), kNotReached);
+  std::vector<StateId> open{from};
+  actions[index(from)] = 0;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const StateId state = open[i];
+    for (const Action action : kActions) {
+      if (graph.legality(state, action) <= legality_threshold) continue;
+      for (const Transition& outcome : graph.transitions(state, action)) {
+        std::size_t& reached = actions[index(outcome.state)];
+        if (reached != kNotReached || !isPassable(graph.verdict(outcome.state), removed)) continue;
+        reached = actions[index(state)] + 1;
+        open.push_back(outcome.state);
+      }
+    }
+  }
+  return actions;
+}
+
+/// The objects that some state collides with.
+ObjectSet collidedObjects(const SymbolGraph& graph, StateId start) {
+  ObjectSet objects = 0;
+  for (std::size_t i = 0; i < graph.numStates(); ++i) {
+    const auto state = static_cast<StateId>(i);
+    const Verdict& verdict = graph.verdict(state);
+    if (graph.readingOf(state) == graph.readingOf(start) &&
+        verdict.cause == Invalidity::kCollision && verdict.object < kMostObjects) {
+      objects |= ObjectSet{1} << verdict.object;
+    }
+  }
+  return objects;
+}
+
+/// The subsets of a set by rising size, then by number.
+std::vector<ObjectSet> subsetsBySize(ObjectSet set) {
+  std::vector<ObjectSet> subsets;
+  for (ObjectSet subset = set; subset != 0; subset = (subset - 1) & set) subsets.push_back(subset);
+  std::sort(subsets.begin(), subsets.end(), [](ObjectSet a, ObjectSet b) {
+    return std::pair(std::popcount(a), a) < std::pair(std::popcount(b), b);
+  });
+  return subsets;
+}
+
+/// The fewest objects without which the start leads to the goal; empty if not found.
+ObjectSet blockingObjects(const SymbolGraph& graph, StateId start, StateId goal,
+                          double legality_threshold) {
+  const auto leads_without = [&](ObjectSet removed) {
+    return isPassable(graph.verdict(goal), removed) &&
+           actionsFrom(graph, start, legality_threshold, removed)[index(goal)] != kNotReached;
+  };
+  const ObjectSet all = collidedObjects(graph, start);
+  if (all == 0 || !leads_without(all)) return 0;
+  std::size_t visits = graph.numStates();
+  for (const ObjectSet subset : subsetsBySize(all)) {
+    visits += graph.numStates();
+    if (visits > kMostVisits) return 0;
+    if (leads_without(subset)) return subset;
+  }
+  return 0;
+}
+
+/// Of the states reached within the horizon, the one from which the concepts, each by itself, need
+/// the fewest actions to the goal; then the one that shares most symbols with it.
+StateId nearestReached(const SymbolGraph& graph, StateId goal, double legality_threshold,
+                       const std::vector<std::size_t>& actions, std::size_t horizon) {
+  const ProjectionHeuristic distance(graph, goal, anyOutcomeSuccessors(graph, legality_threshold));
+  const Symbols wanted = graph.symbols(goal);
+  StateId nearest{};
+  std::tuple<PathCost, int, std::size_t> least{kOutOfReach, std::numeric_limits<int>::max(), 0};
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (actions[i] > horizon) continue;
+    const auto state = static_cast<StateId>(i);
+    const Symbols symbols = graph.symbols(state);
+    int different = 0;
+    for (std::size_t k = 0; k < kNumConcepts; ++k) different += symbols[k] != wanted[k] ? 1 : 0;
+    const std::tuple rank{distance(state), different, actions[i]};
+    if (rank < least) {
+      least = rank;
+      nearest = state;
+    }
+  }
+  return nearest;
+}
+
+/// "1", "1 and 2" or "1, 2 and 3".
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string differences(const Symbols& a, const Symbols& b) {
+  std::vector<std::string> concepts;
+  for (const Concept which : kConcepts) {
+    if (a[index(which)] != b[index(which)]) concepts.emplace_back(name(which));
+  }
+  return listed(concepts);
 }
 
 }  // namespace
@@ -62,6 +188,38 @@ std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
     }
   }
   return states;
+}
+
+void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,
+                       PlanResult& result) {
+  const StateId start = graph.mostProbableStart();
+  const StateId goal = graph.mostProbableGoal();
+  const std::vector<std::size_t> actions = actionsFrom(graph, start, legality_threshold, 0);
+  result.reason =
+      "no legal and valid steps lead to the goal within " + std::to_string(horizon) + " actions";
+  if (actions[index(goal)] <= horizon) {
+    result.reason += " unless an action has an outcome that is not its most probable one";
+    return;
+  }
+  const StateId nearest = nearestReached(graph, goal, legality_threshold, actions, horizon);
+  result.nearest = graph.symbols(nearest);
+  if (actions[index(goal)] != kNotReached) {
+    result.reason += "; it takes at least " + std::to_string(actions[index(goal)]);
+    return;
+  }
+  const ObjectSet blocking = blockingObjects(graph, start, goal, legality_threshold);
+  std::vector<std::string> numbers;
+  for (std::size_t other = 0; other < kMostObjects; ++other) {
+    if ((blocking >> other & 1) == 0) continue;
+    result.blocking.push_back(sceneIndex(graph, other));
+    numbers.push_back(std::to_string(result.blocking.back()));
+  }
+  if (!numbers.empty()) {
+    result.reason += "; without object" + std::string(numbers.size() > 1 ? "s " : " ") +
+                     listed(numbers) + " there would be a way";
+  }
+  result.reason += "; what is in reach differs from the goal at least in " +
+                   differences(*result.nearest, graph.symbols(goal));
 }
 
 std::string frozenMismatch(const SymbolGraph& graph) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "conceptplan/planners/plan_result.hpp"
@@ -22,5 +23,16 @@ std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
 /// The concepts frozen in this problem in which start and goal most probably differ, as a sentence;
 /// empty if there are none.
 std::string frozenMismatch(const SymbolGraph& graph);
+
+/// Tells why the goal is out of reach and how near the target gets to it, by all outcomes of all
+/// legal actions from the most probable start: fills `reason`, `blocking` and `nearest` of the
+/// result. For a task without a `frozenMismatch`.
+///
+/// The blocking objects are the fewest without which the goal would be in reach, however many
+/// actions that took; none are named if the goal would be out of reach without any object, or if
+/// the search for them grew too long. A state that meets several objects counts for the one that
+/// its verdict names.
+void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,
+                       PlanResult& result);
 
 }  // namespace conceptplan

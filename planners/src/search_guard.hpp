@@ -22,9 +22,10 @@ class SearchGuard {
   /// What to tell the user of it; empty if none struck.
   std::string reason() const { return reason_; }
 
- private:
+  /// Ends the search for a reason of the planner's own.
   void stop(PlanStatus status, std::string reason);
 
+ private:
   SearchLimits limits_;
   std::chrono::steady_clock::time_point deadline_;
   std::optional<PlanStatus> stopped_;

@@ -1,6 +1,12 @@
+#include "conceptplan/planners/beam_planner.hpp"
 #include "conceptplan/planners/belief_planner.hpp"
+#include "conceptplan/planners/best_first_planner.hpp"
 #include "conceptplan/planners/bfs_planner.hpp"
+#include "conceptplan/planners/idastar_planner.hpp"
+#include "conceptplan/planners/lrtdp_planner.hpp"
+#include "conceptplan/planners/mcts_planner.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
+#include "conceptplan/planners/value_iteration_planner.hpp"
 
 namespace conceptplan {
 namespace {
@@ -8,6 +14,12 @@ namespace {
 PlannerOption number(std::string name, std::string standard, double least, double most,
                      std::string summary) {
   return {std::move(name),   OptionType::kNumber, std::move(standard), least, most, {},
+          std::move(summary)};
+}
+
+PlannerOption integer(std::string name, std::string standard, double least, double most,
+                      std::string summary) {
+  return {std::move(name),   OptionType::kInteger, std::move(standard), least, most, {},
           std::move(summary)};
 }
 
@@ -21,6 +33,27 @@ PlannerOption legalityThreshold() {
   return number("legality_threshold", "0.01", 0, 1,
                 "an action is legal where Pr[a given the symbols] is greater");
 }
+
+constexpr double kMostCount = 100'000;
+
+PlannerOption stepDiscount(double least) {
+  return number("step_discount", "0.01", least, 0.5,
+                "share by which one more action must raise a plan's probability to rank first");
+}
+
+PlannerOption epsilon(std::string summary) {
+  return number("epsilon", "1e-6", 1e-12, 0.1, std::move(summary));
+}
+
+/// What planners that give every action its most probable outcome say of giving up.
+const char* const kProvedOnLikelyOutcomes =
+    "infeasible is proved for plans in which every action has its most probable outcome; giving up "
+    "is limit or timeout.";
+
+/// What planners of the Markov decision process say of giving up.
+const char* const kProvedOnAllOutcomes =
+    "infeasible is proved for all outcomes of all legal actions; giving up is limit or timeout; "
+    "failed if the goal can be reached, but not along the outcomes on which the policy rests.";
 
 PlannerEntry beliefEntry() {
   return {
@@ -42,8 +75,7 @@ PlannerEntry beliefEntry() {
        choice("alternatives", {"outcomes", "paths"},
               "further plans lead to other outcomes first, or are the next most probable sequences "
               "whatever their outcome"),
-       number("step_discount", "0.01", 0, 0.5,
-              "share by which one more action must raise a plan's probability to rank first"),
+       stepDiscount(0),
        number("min_probability", "0.001", 0, 1,
               "least probability of a plan where the most probable goal is out of reach"),
        number("min_hypothesis", "0.0001", 0, 1,
@@ -76,10 +108,162 @@ PlannerEntry bfsEntry() {
       {"Plans are distinct and ordered by length, then by the order of the actions.",
        "The first plan has the fewest actions among those in which every action has its most "
        "probable outcome.",
-       "infeasible is proved on the compiled graph; giving up is limit or timeout."},
+       kProvedOnLikelyOutcomes},
       {legalityThreshold()},
       [](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<BfsPlanner>(BfsPlannerOptions{values.number("legality_threshold")});
+      }};
+}
+
+/// The planners of BestFirstPlanner differ in how they are guided.
+PlannerEntry bestFirstEntry(std::string name, std::string summary, std::string source,
+                            std::vector<std::string> guarantees, Guidance guidance, bool greedy) {
+  guarantees.push_back(kProvedOnLikelyOutcomes);
+  return {std::move(name),
+          std::move(summary),
+          std::move(source),
+          std::move(guarantees),
+          {legalityThreshold(), stepDiscount(0)},
+          [guidance, greedy](const OptionValues& values) -> std::unique_ptr<Planner> {
+            BestFirstPlannerOptions options;
+            options.legality_threshold = values.number("legality_threshold");
+            options.step_discount = values.number("step_discount");
+            options.guidance = guidance;
+            options.greedy = greedy;
+            return std::make_unique<BestFirstPlanner>(options);
+          }};
+}
+
+/// What all exact planners over most probable outcomes promise of their plans.
+const char* const kExactPlans =
+    "The plans are exactly the best ones within the horizon, distinct and by rising cost; the cost "
+    "of a step is -log Pr[its most probable outcome] - log(1 - step_discount), counted in "
+    "billionths; ties go to the shorter plan.";
+
+PlannerEntry dijkstraEntry() {
+  return bestFirstEntry("dijkstra", "Most probable paths by uniform-cost search, without guidance.",
+                        "E. W. Dijkstra, A note on two problems in connexion with graphs, 1959, "
+                        "doi:10.1007/BF01386390.",
+                        {kExactPlans}, Guidance::kNone, false);
+}
+
+PlannerEntry astarEntry() {
+  return bestFirstEntry(
+      "astar", "Most probable paths, guided by a lower bound of the cost from the learned tables.",
+      "P. E. Hart, N. J. Nilsson and B. Raphael, 1968, doi:10.1109/TSSC.1968.300136; the bound "
+      "sums "
+      "one projection a concept (J. Culberson and J. Schaeffer, 1998, doi:10.1111/0824-7935.00065; "
+      "M. Katz and C. Domshlak, 2010, doi:10.1016/j.artint.2010.04.021).",
+      {kExactPlans, "The bound is admissible and consistent."}, Guidance::kProjections, false);
+}
+
+PlannerEntry greedyEntry() {
+  return bestFirstEntry(
+      "greedy", "Paths found by going where the lower bound of astar is least.",
+      "J. E. Doran and D. Michie, Experiments with the graph traverser program, 1966, "
+      "doi:10.1098/rspa.1966.0205.",
+      {"Plans are distinct and by rising cost, as for dijkstra; none need be the best.",
+       "A plan is found if there is one within the horizon."},
+      Guidance::kProjections, true);
+}
+
+PlannerEntry kbestEntry() {
+  return bestFirstEntry(
+      "kbest", "Most probable paths in order, guided by the exact distance to the goal.",
+      "D. Eppstein, Finding the k shortest paths, 1998, doi:10.1137/S0097539795290477, for the "
+      "problem; best-first over paths behind one backward search.",
+      {kExactPlans, "Paths may pass a state twice."}, Guidance::kDistances, false);
+}
+
+PlannerEntry idaStarEntry() {
+  return {
+      "idastar",
+      "The most probable path by depth-first searches under a rising bound of cost.",
+      "R. E. Korf, 1985, doi:10.1016/0004-3702(85)90084-0; A. Reinefeld and T. A. Marsland, 1994, "
+      "doi:10.1109/34.297950; M. Helmert et al., 2019, doi:10.24963/ijcai.2019/174.",
+      {"One plan, the best one within the horizon; cost as for dijkstra. If a limit strikes, the "
+       "best plan found so far.",
+       kProvedOnLikelyOutcomes},
+      {legalityThreshold(), stepDiscount(0)},
+      [](const OptionValues& values) -> std::unique_ptr<Planner> {
+        return std::make_unique<IdaStarPlanner>(IdaStarPlannerOptions{
+            values.number("legality_threshold"), values.number("step_discount")});
+      }};
+}
+
+PlannerEntry beamEntry() {
+  return {"beam",
+          "Paths that grow together, of which only the most promising of each length go on.",
+          "B. T. Lowerre, The HARPY speech recognition system, 1976.",
+          {"Plans are distinct and by rising cost, as for dijkstra; none need be the best.",
+           "At most width sequences of each length; limit if these were too few to find a plan.",
+           kProvedOnLikelyOutcomes},
+          {legalityThreshold(), stepDiscount(0),
+           integer("width", "500", 1, kMostCount, "action sequences kept of each length")},
+          [](const OptionValues& values) -> std::unique_ptr<Planner> {
+            return std::make_unique<BeamPlanner>(BeamPlannerOptions{
+                values.number("legality_threshold"), values.number("step_discount"),
+                static_cast<std::size_t>(values.number("width"))});
+          }};
+}
+
+/// What planners of the Markov decision process say of their plans.
+const char* const kPolicyPlans =
+    "Plans are distinct and by rising cost: -log of the value of the start, and for each step the "
+    "logarithm by which its action falls short of the best one; a plan follows the outcome on "
+    "which "
+    "the value of each action rests most.";
+
+PlannerEntry valueIterationEntry() {
+  return {
+      "value-iteration",
+      "Sequences of the policy of greatest discounted probability of the goal, all outcomes "
+      "counted.",
+      "R. Bellman, A Markovian decision process, 1957.",
+      {"The value of every state is that of the best policy to within epsilon, if symbols could be "
+       "seen after each action: the expected (1 - step_discount)^steps over runs that reach the "
+       "goal.",
+       kPolicyPlans, kProvedOnAllOutcomes},
+      {legalityThreshold(), stepDiscount(1e-4), epsilon("largest error of a value")},
+      [](const OptionValues& values) -> std::unique_ptr<Planner> {
+        return std::make_unique<ValueIterationPlanner>(
+            ValueIterationPlannerOptions{values.number("legality_threshold"),
+                                         values.number("step_discount"), values.number("epsilon")});
+      }};
+}
+
+PlannerEntry lrtdpEntry() {
+  return {
+      "lrtdp",
+      "As value-iteration, with values only where the best policy leads.",
+      "B. Bonet and H. Geffner, Labeled RTDP, ICAPS 2003.",
+      {"The value of the start is that of the best policy to within epsilon / step_discount; other "
+       "values are upper bounds, by which the plans after the first are ordered.",
+       kPolicyPlans, kProvedOnAllOutcomes},
+      {legalityThreshold(), stepDiscount(1e-4),
+       epsilon("change of a value below which a state is solved")},
+      [](const OptionValues& values) -> std::unique_ptr<Planner> {
+        return std::make_unique<LrtdpPlanner>(
+            LrtdpPlannerOptions{values.number("legality_threshold"), values.number("step_discount"),
+                                values.number("epsilon")});
+      }};
+}
+
+PlannerEntry mctsEntry() {
+  return {
+      "mcts",
+      "As value-iteration, with values estimated by simulated runs.",
+      "L. Kocsis and C. Szepesvari, Bandit based Monte-Carlo planning, 2006, "
+      "doi:10.1007/11871842_29.",
+      {"Values tend to those of the best policy as iterations grow; no plan need be the best.",
+       kPolicyPlans, kProvedOnAllOutcomes},
+      {legalityThreshold(), stepDiscount(1e-4),
+       integer("iterations", "500", 1, kMostCount, "simulated runs; each is one expansion"),
+       number("exploration", "0.1", 0, 10, "weight of the confidence bound")},
+      [](const OptionValues& values) -> std::unique_ptr<Planner> {
+        return std::make_unique<MctsPlanner>(MctsPlannerOptions{
+            values.number("legality_threshold"), values.number("step_discount"),
+            static_cast<std::size_t>(values.number("iterations")), values.number("exploration")});
       }};
 }
 
@@ -87,8 +271,11 @@ PlannerEntry bfsEntry() {
 
 PlannerRegistry PlannerRegistry::standard() {
   PlannerRegistry registry;
-  registry.add(beliefEntry());
-  registry.add(bfsEntry());
+  for (const auto entry :
+       {beliefEntry, bfsEntry, dijkstraEntry, astarEntry, greedyEntry, kbestEntry, idaStarEntry,
+        beamEntry, valueIterationEntry, lrtdpEntry, mctsEntry}) {
+    registry.add(entry());
+  }
   return registry;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
 #include "conceptplan/planners/belief_update.hpp"
+#include "model_tables.hpp"
 #include "scene_readings.hpp"
 
 namespace conceptplan {
@@ -47,96 +47,52 @@ void checkProblem(const SymbolicProblem& problem, const ConceptCardinality& card
   checkBelief(problem.goal, cardinality, "goal");
 }
 
-/// Marks the concepts that some action changes among these objects, in any state of the concepts
-/// that the model can change at all.
-void markChangeable(const SymbolicModel& model, Surroundings surroundings, double tolerance,
-                    std::array<bool, kNumConcepts>& changeable) {
-  std::vector<Concept> candidates;
-  std::size_t combinations = 1;
-  for (const Concept which : kConcepts) {
-    if (!model.transitions.changes(which, tolerance)) continue;
-    candidates.push_back(which);
-    combinations *= model.cardinality()[index(which)];
-  }
-  for (std::size_t i = 0; i < combinations; ++i) {
-    std::size_t rest = i;
-    for (const Concept which : candidates) {
-      const std::size_t symbols = model.cardinality()[index(which)];
-      surroundings.target[index(which)] = static_cast<SymbolId>(rest % symbols);
-      rest /= symbols;
-    }
-    for (const Action action : kActions) {
-      if (!model.transitions.isDefined(action, surroundings)) continue;
-      for (const Concept which : candidates) {
-        const std::size_t own = index(surroundings.target[index(which)]);
-        if (!changeable[index(which)] &&
-            model.transitions.distribution(action, which, surroundings)[own] < 1 - tolerance) {
-          changeable[index(which)] = true;
-        }
+/// The next states of single actions: products of the outcomes of the single concepts.
+class JointOutcomes {
+ public:
+  JointOutcomes(const ModelTables& tables, const std::array<std::size_t, kNumConcepts>& stride)
+      : tables_(tables), stride_(stride) {}
+
+  /// By falling probability, ties by state; sums to one. Holds until the next call.
+  /// @param first_state state of the reading whose concepts are all 0.
+  const std::vector<Transition>& of(Action action, const Symbols& target, std::size_t first_state) {
+    joint_.assign(1, {static_cast<StateId>(first_state), 1, 0});
+    for (const Concept which : kConcepts) {
+      if (stride_[index(which)] != 0) {
+        extend(tables_.outcomes(action, which, target), stride_[index(which)]);
       }
     }
-  }
-}
-
-/// The verdict of each target. Targets that agree in the concepts on which the check depends are
-/// asked for once; of the others' concepts, `among` has the values that are asked with.
-/// @param checks is raised by the number of targets asked for.
-std::vector<Verdict> verdictsOf(const std::vector<Symbols>& targets, const StateValidity& validity,
-                                const Workbench& workbench, const Surroundings& among,
-                                std::size_t& checks) {
-  const std::array<bool, kNumConcepts> relevant = validity.dependsOn();
-  std::map<Symbols, std::size_t> known;
-  std::vector<Symbols> asked;
-  std::vector<std::size_t> answer;  // [targets]
-  for (Symbols target : targets) {
-    for (std::size_t k = 0; k < kNumConcepts; ++k) {
-      if (!relevant[k]) target[k] = among.target[k];
+    double sum = 0;
+    for (const Transition& transition : joint_) sum += transition.probability;
+    for (Transition& transition : joint_) {
+      transition.probability /= sum;
+      transition.cost = -std::log(transition.probability);
     }
-    const auto [entry, is_new] = known.try_emplace(target, asked.size());
-    if (is_new) asked.push_back(target);
-    answer.push_back(entry->second);
+    std::sort(joint_.begin(), joint_.end(), [](const Transition& a, const Transition& b) {
+      return a.probability != b.probability ? a.probability > b.probability : a.state < b.state;
+    });
+    return joint_;
   }
-  checks += asked.size();
-  const std::vector<Verdict> answers =
-      validity.checkAll(workbench, among.grounding, asked, among.others);
-  std::vector<Verdict> verdicts;
-  for (const std::size_t i : answer) verdicts.push_back(answers[i]);
-  return verdicts;
-}
 
-/// The next states of one action: the product of the effects on the single concepts.
-/// @param first_state state of the reading whose concepts are all 0.
-std::vector<Transition> jointTransitions(const SymbolicModel& model, Action action,
-                                         const Surroundings& surroundings,
-                                         const std::array<std::size_t, kNumConcepts>& stride,
-                                         std::size_t first_state, double min_share) {
-  std::vector<Transition> joint{{static_cast<StateId>(first_state), 1, 0}};
-  for (const Concept which : kConcepts) {
-    if (stride[index(which)] == 0) continue;
-    const std::vector<double> next = model.transitions.distribution(action, which, surroundings);
-    const double least = min_share * *std::max_element(next.begin(), next.end());
-    std::vector<Transition> extended;
-    for (const Transition& transition : joint) {
-      for (std::size_t symbol = 0; symbol < next.size(); ++symbol) {
-        if (next[symbol] <= 0 || next[symbol] < least) continue;
-        extended.push_back(
-            {static_cast<StateId>(index(transition.state) + symbol * stride[index(which)]),
-             transition.probability * next[symbol], 0});
+ private:
+  /// Each transition so far with each outcome of one more concept.
+  void extend(const std::vector<SymbolOutcome>& outcomes, std::size_t stride) {
+    extended_.clear();
+    for (const Transition& transition : joint_) {
+      for (const SymbolOutcome& outcome : outcomes) {
+        extended_.push_back(
+            {static_cast<StateId>(index(transition.state) + outcome.symbol * stride),
+             transition.probability * outcome.probability, 0});
       }
     }
-    joint = std::move(extended);
+    std::swap(joint_, extended_);
   }
-  double sum = 0;
-  for (const Transition& transition : joint) sum += transition.probability;
-  for (Transition& transition : joint) {
-    transition.probability /= sum;
-    transition.cost = -std::log(transition.probability);
-  }
-  std::stable_sort(joint.begin(), joint.end(), [](const Transition& a, const Transition& b) {
-    return a.probability != b.probability ? a.probability > b.probability : a.state < b.state;
-  });
-  return joint;
-}
+
+  const ModelTables& tables_;
+  const std::array<std::size_t, kNumConcepts>& stride_;
+  std::vector<Transition> joint_;
+  std::vector<Transition> extended_;
+};
 
 }  // namespace
 
@@ -190,17 +146,23 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
   const std::vector<SceneReading> readings = probableReadings(model, problem.initial, options);
 
   std::array<bool, kNumConcepts> changeable{};
+  for (const Concept which : kConcepts) {
+    changeable[index(which)] = model.transitions.changes(which, options.frozen_tolerance);
+  }
+  std::vector<ModelTables> tables;
   for (const SceneReading& reading : readings) {
     graph.reading_shares_.push_back(reading.share);
-    markChangeable(model, {model.grounding, graph.frozen_, reading.others},
-                   options.frozen_tolerance, changeable);
+    tables.emplace_back(model, Surroundings{model.grounding, graph.frozen_, reading.others},
+                        changeable, options.min_share);
   }
   std::size_t states = 1;
   for (const Concept which : kConcepts) {
     const std::size_t k = index(which);
-    if (!model.transitions.changes(which, options.frozen_tolerance)) {
+    if (!changeable[k]) {
       graph.mutability_[k] = Mutability::kNeverChanges;
-    } else if (!changeable[k]) {
+    } else if (std::none_of(tables.begin(), tables.end(), [&](const ModelTables& table) {
+                 return table.changes(which, options.frozen_tolerance);
+               })) {
       graph.mutability_[k] = Mutability::kFrozenHere;
       graph.frozen_agreement_ *= agreement(graph.initialBelief()[k], problem.goal[k]);
     } else {
@@ -210,26 +172,30 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
     }
   }
 
-  for (const SceneReading& reading : readings) {
-    const Surroundings among{model.grounding, graph.frozen_, reading.others};
-    const std::size_t first_state = graph.verdicts_.size();
-    std::vector<Symbols> targets;
+  const std::size_t all_states = states * readings.size();
+  graph.verdicts_.reserve(all_states);
+  graph.legality_.reserve(all_states * kNumActions);
+  graph.first_transition_.reserve(all_states * kNumActions + 1);
+  graph.transitions_.reserve(all_states * kNumActions);
+  std::array<bool, kNumConcepts> checked = validity.dependsOn();
+  for (std::size_t k = 0; k < kNumConcepts; ++k) checked[k] = checked[k] && graph.stride_[k] != 0;
+  for (std::size_t reading = 0; reading < readings.size(); ++reading) {
+    // One check serves all states that agree in the concepts on which validity depends.
+    const SymbolTable<Verdict> verdicts(
+        checked, graph.cardinality_, graph.frozen_, [&](const Symbols& target) {
+          return validity.check(problem.initial.workbench, model.grounding, target,
+                                readings[reading].others);
+        });
+    graph.validity_checks_ += verdicts.values().size();
+    JointOutcomes joint(tables[reading], graph.stride_);
     for (std::size_t i = 0; i < states; ++i) {
-      targets.push_back(graph.symbols(static_cast<StateId>(i)));
-    }
-    const std::vector<Verdict> verdicts =
-        verdictsOf(targets, validity, problem.initial.workbench, among, graph.validity_checks_);
-    graph.verdicts_.insert(graph.verdicts_.end(), verdicts.begin(), verdicts.end());
-    for (const Symbols& target : targets) {
-      const Surroundings here{among.grounding, target, among.others};
+      const Symbols target = graph.symbols(static_cast<StateId>(i));
+      graph.verdicts_.push_back(verdicts[target]);
       for (const Action action : kActions) {
-        const bool defined = model.transitions.isDefined(action, here);
-        graph.legality_.push_back(defined ? model.legality.probability(action, here) : 0);
+        graph.legality_.push_back(tables[reading].legality(action, target));
         graph.first_transition_.push_back(graph.transitions_.size());
-        for (const Transition& transition :
-             jointTransitions(model, action, here, graph.stride_, first_state, options.min_share)) {
-          graph.transitions_.push_back(transition);
-        }
+        const std::vector<Transition>& next = joint.of(action, target, reading * states);
+        graph.transitions_.insert(graph.transitions_.end(), next.begin(), next.end());
       }
     }
   }

@@ -60,6 +60,10 @@ struct PlanResult {
   std::vector<Rejection>
       rejections;      ///< beside the best plan, or around the start if there is none
   std::string reason;  ///< why there is no plan, or fewer than asked for because of a limit
+  /// For kInfeasible: the fewest objects of the scene, by index, without which the target could
+  /// get to the goal; empty where objects are not the reason, or not found to be.
+  std::vector<std::size_t> blocking;
+  std::optional<Symbols> nearest;  ///< for kInfeasible: symbols in reach that are nearest the goal
 
   bool operator==(const PlanResult&) const = default;
 };

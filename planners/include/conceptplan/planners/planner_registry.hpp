@@ -24,7 +24,7 @@ struct PlannerEntry {
 /// The planners by name. A value: programs may add planners of their own to a copy.
 class PlannerRegistry {
  public:
-  /// `belief` and `bfs`.
+  /// All planners of this library.
   static PlannerRegistry standard();
 
   /// @throws std::invalid_argument if the name is taken.

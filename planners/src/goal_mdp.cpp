@@ -1,0 +1,134 @@
+#include "goal_mdp.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "path_search.hpp"
+
+namespace conceptplan {
+namespace {
+
+/// In [0, 1).
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+/// V(state) by the action values; 1 at the goal.
+double valueOfState(StateId state, StateId goal, const PolicyValues& values) {
+  if (state == goal) return 1;
+  double best = 0;
+  for (const Action action : kActions) best = std::max(best, values.of_action(state, action));
+  return best;
+}
+
+/// Each action with the outcome on which its value rests most, at the cost of preferring it to the
+/// best one.
+SuccessorFunction policySuccessors(const SymbolGraph& graph, StateId goal,
+                                   const PolicyValues& values) {
+  return [&graph, goal, &values](StateId state, std::vector<Successor>& next) {
+    next.clear();
+    const double best = valueOfState(state, goal, values);
+    for (const Action action : kActions) {
+      const double value = values.of_action(state, action);
+      if (value <= 0) continue;
+      const Transition* main = nullptr;
+      double most = 0;
+      for (const Transition& outcome : graph.transitions(state, action)) {
+        if (outcome.state == state || !graph.valid(outcome.state)) continue;
+        const double share = outcome.probability * values.of_state[index(outcome.state)];
+        if (share <= most) continue;
+        main = &outcome;
+        most = share;
+      }
+      if (main != nullptr)
+        next.push_back({action, main->state, toPathCost(std::log(best / value))});
+    }
+  };
+}
+
+}  // namespace
+
+GoalMdp::GoalMdp(const SymbolGraph& graph, StateId goal, double legality_threshold,
+                 double step_discount, const std::vector<PathCost>& distances)
+    : graph_(graph),
+      goal_(goal),
+      legality_threshold_(legality_threshold),
+      discount_(1 - step_discount) {
+  optimistic_values_.reserve(distances.size());
+  for (const PathCost distance : distances) {
+    optimistic_values_.push_back(distance == kOutOfReach ? 0
+                                                         : std::pow(discount_, toNats(distance)));
+  }
+}
+
+double GoalMdp::actionValue(StateId state, Action action, const std::vector<double>& values) const {
+  if (!isLegal(state, action)) return 0;
+  double sum = 0;
+  for (const Transition& outcome : graph_.transitions(state, action)) {
+    if (graph_.valid(outcome.state)) sum += outcome.probability * values[index(outcome.state)];
+  }
+  return discount_ * sum;
+}
+
+GoalMdp::Choice GoalMdp::best(StateId state, const std::vector<double>& values) const {
+  Choice best;
+  for (const Action action : kActions) {
+    const double value = actionValue(state, action, values);
+    if (value > best.value) best = {action, value};
+  }
+  return best;
+}
+
+std::optional<StateId> GoalMdp::draw(StateId state, Action action, std::mt19937_64& random) const {
+  const std::span<const Transition> outcomes = graph_.transitions(state, action);
+  double rest = uniform(random);
+  std::size_t drawn = 0;
+  for (; drawn + 1 < outcomes.size() && rest >= outcomes[drawn].probability; ++drawn) {
+    rest -= outcomes[drawn].probability;
+  }
+  if (!graph_.valid(outcomes[drawn].state)) return std::nullopt;
+  return outcomes[drawn].state;
+}
+
+PolicyValues policyOf(const GoalMdp& mdp, std::vector<double> values) {
+  return {[&mdp, values](StateId state, Action action) {
+            return mdp.actionValue(state, action, values);
+          },
+          values};
+}
+
+PlanResult planByPolicy(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
+                        double step_discount, const MdpSolver& solver) {
+  return planByPaths(
+      graph, query, legality_threshold, [&](const PathTask& task) -> std::vector<StatePath> {
+        const auto distances = distancesToGoal(graph.numStates(), task.start, task.goal,
+                                               anyOutcomeSuccessors(graph, legality_threshold),
+                                               task.guard, task.statistics);
+        if (!distances) return {};
+        const PathCost nearest = (*distances)[index(task.start)];
+        if (nearest == kOutOfReach ||
+            nearest / kNat > static_cast<PathCost>(query.limits.horizon)) {
+          return {};
+        }
+        const GoalMdp mdp(graph, task.goal, legality_threshold, step_discount, *distances);
+        const std::optional<PolicyValues> values = solver(mdp, task);
+        if (!values) return {};
+        std::vector<StatePath> paths = bestPaths(
+            graph.numStates(), task.start, task.goal, policySuccessors(graph, task.goal, *values),
+            [&](StateId state) {
+              return (*distances)[index(state)] == kOutOfReach ? kOutOfReach : PathCost{0};
+            },
+            {query.top, query.limits.horizon}, task.guard, task.statistics);
+        if (paths.empty() && !task.guard.stopped()) {
+          task.guard.stop(PlanStatus::kFailed,
+                          "the goal can be reached, but not along the outcomes on which the policy "
+                          "rests within " +
+                              std::to_string(query.limits.horizon) + " actions");
+        }
+        const PathCost least = toPathCost(-std::log(valueOfState(task.start, task.goal, *values)));
+        for (StatePath& path : paths) path.cost += least;
+        return paths;
+      });
+}
+
+}  // namespace conceptplan

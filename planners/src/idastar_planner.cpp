@@ -1,0 +1,124 @@
+#include "conceptplan/planners/idastar_planner.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "option_range.hpp"
+#include "path_planning.hpp"
+#include "projection_heuristic.hpp"
+
+namespace conceptplan {
+namespace {
+
+/// The first rise of the bound beyond the least cost that the last search cut off.
+constexpr PathCost kFirstRise = kNat / 100;
+
+class IteratedDeepening {
+ public:
+  IteratedDeepening(const PathTask& task, const SuccessorFunction& successors)
+      : task_(task),
+        successors_(successors),
+        heuristic_(task.graph, task.goal, successors),
+        searched_(task.graph.numStates()) {}
+
+  /// Nothing if there is no path within the horizon, or a limit struck before one was found.
+  std::optional<StatePath> run() {
+    PathCost bound = heuristic_(task_.start);
+    for (PathCost rise = kFirstRise; bound != kOutOfReach; rise *= 2) {
+      least_cut_ = kOutOfReach;
+      limit_ = bound;
+      for (std::vector<Searched>& records : searched_) records.clear();
+      explore(task_.start, 0);
+      if (best_ || task_.guard.stopped() || least_cut_ == kOutOfReach) break;
+      bound = std::max(least_cut_, bound + rise);
+    }
+    return best_;
+  }
+
+ private:
+  /// What a state was searched with during this iteration.
+  struct Searched {
+    PathCost budget;
+    std::size_t actions;
+  };
+
+  struct Branch {
+    PathCost estimate;
+    Successor step;
+  };
+
+  void explore(StateId state, PathCost cost) {
+    const PathCost estimate = cost + heuristic_(state);
+    if (estimate > limit_) {
+      least_cut_ = std::min(least_cut_, estimate);
+      return;
+    }
+    const Searched now{limit_ - cost, task_.query.limits.horizon - path_.actions.size()};
+    std::vector<Searched>& records = searched_[index(state)];
+    if (std::any_of(records.begin(), records.end(), [&](const Searched& record) {
+          return record.budget >= now.budget && record.actions >= now.actions;
+        })) {
+      return;
+    }
+    if (!task_.guard.expand(task_.statistics)) return;
+    records.push_back(now);
+    if (state == task_.goal) {
+      best_ = path_;
+      best_->cost = cost;
+      limit_ = cost - 1;  // what is left to find is better
+      return;
+    }
+    if (now.actions == 0) return;
+    for (const Branch& branch : branches(state)) {
+      path_.actions.push_back(branch.step.action);
+      path_.states.push_back(branch.step.state);
+      explore(branch.step.state, cost + branch.step.cost);
+      path_.actions.pop_back();
+      path_.states.pop_back();
+    }
+  }
+
+  /// The ways out that may lead to the goal, the most promising first.
+  std::vector<Branch> branches(StateId state) {
+    successors_(state, next_);
+    std::vector<Branch> branches;
+    for (const Successor& step : next_) {
+      const PathCost rest = heuristic_(step.state);
+      if (rest != kOutOfReach) branches.push_back({step.cost + rest, step});
+    }
+    task_.statistics.generated += branches.size();
+    std::stable_sort(branches.begin(), branches.end(),
+                     [](const Branch& a, const Branch& b) { return a.estimate < b.estimate; });
+    return branches;
+  }
+
+  const PathTask& task_;
+  const SuccessorFunction& successors_;
+  const ProjectionHeuristic heuristic_;
+  std::vector<std::vector<Searched>> searched_;  // [states]
+  std::vector<Successor> next_;
+  StatePath path_;
+  std::optional<StatePath> best_;
+  PathCost limit_ = 0;      // of cost plus estimate
+  PathCost least_cut_ = 0;  // least estimate above the limit
+};
+
+}  // namespace
+
+IdaStarPlanner::IdaStarPlanner(const IdaStarPlannerOptions& options) : options_(options) {
+  checkOptionRange("legality_threshold", options.legality_threshold, 0, 1);
+  checkOptionRange("step_discount", options.step_discount, 0, 0.5);
+}
+
+PlanResult IdaStarPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
+  const SuccessorFunction successors =
+      likelySuccessors(graph, options_.legality_threshold, options_.step_discount);
+  return planByPaths(graph, query, options_.legality_threshold,
+                     [&](const PathTask& task) -> std::vector<StatePath> {
+                       std::optional<StatePath> best = IteratedDeepening(task, successors).run();
+                       if (!best) return {};
+                       return {std::move(*best)};
+                     });
+}
+
+}  // namespace conceptplan

@@ -1,0 +1,57 @@
+#include "path_planning.hpp"
+
+#include <string>
+
+#include "conceptplan/planners/belief_update.hpp"
+#include "legality_trace.hpp"
+
+namespace conceptplan {
+namespace {
+
+/// States around the start whose rejections are told of when there is no plan.
+constexpr std::size_t kTracedStates = 64;
+
+}  // namespace
+
+PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
+                       const PathFinder& paths) {
+  PlanResult result;
+  SearchGuard guard(query.limits);
+  const PathTask task{
+      graph, query, graph.mostProbableStart(), graph.mostProbableGoal(), guard, result.statistics};
+  const std::string mismatch = frozenMismatch(graph);
+  const std::vector<StatePath> found = mismatch.empty() ? paths(task) : std::vector<StatePath>();
+  if (found.empty()) {
+    result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
+    if (guard.stopped()) {
+      result.reason = guard.reason();
+    } else if (!mismatch.empty()) {
+      result.reason = mismatch;
+    } else {
+      explainInfeasible(graph, legality_threshold, query.limits.horizon, result);
+    }
+    result.rejections = traceRejections(
+        graph,
+        reachableStates(graph, task.start, legality_threshold, query.limits.horizon, kTracedStates),
+        legality_threshold);
+    return result;
+  }
+  const StateBelief start = startBelief(graph, graph.initialBelief());
+  const StateBelief goal = graph.stateBelief(graph.problem().goal);
+  for (const StatePath& path : found) {
+    Plan plan;
+    plan.actions = path.actions;
+    plan.cost = toNats(path.cost);
+    plan.probability = probabilityOf(graph, path.actions, start, goal, legality_threshold).joint;
+    for (const StateId state : path.states) plan.predicted.push_back(graph.symbols(state));
+    result.plans.push_back(std::move(plan));
+  }
+  result.status = PlanStatus::kSolved;
+  if (guard.stopped()) result.reason = guard.reason() + "; the best plans found so far";
+  std::vector<StateId> along{task.start};
+  along.insert(along.end(), found.front().states.begin(), found.front().states.end());
+  result.rejections = traceRejections(graph, along, legality_threshold);
+  return result;
+}
+
+}  // namespace conceptplan

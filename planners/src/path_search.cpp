@@ -1,0 +1,168 @@
+#include "path_search.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+#include <span>
+
+namespace conceptplan {
+namespace {
+
+/// What waits to be expanded; worse is less.
+struct OpenPath {
+  PathCost rank;
+  std::uint32_t length;
+  std::uint32_t node;
+
+  bool operator<(const OpenPath& other) const {
+    if (rank != other.rank) return rank > other.rank;
+    if (length != other.length) return length > other.length;
+    return node > other.node;
+  }
+};
+
+/// The lengths at which paths to each state were expanded, as one list a state.
+class ExpandedLengths {
+ public:
+  explicit ExpandedLengths(std::size_t num_states) : last_(num_states, kNone) {}
+
+  void add(StateId state, std::uint32_t length) {
+    entries_.push_back({length, last_[index(state)]});
+    last_[index(state)] = static_cast<std::uint32_t>(entries_.size() - 1);
+  }
+
+  /// Whether at least `count` paths no longer than `length` were expanded.
+  bool has(std::size_t count, StateId state, std::uint32_t length) const {
+    for (std::uint32_t i = last_[index(state)]; i != kNone; i = entries_[i].before) {
+      if (entries_[i].length <= length && --count == 0) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
+
+  struct Entry {
+    std::uint32_t length;
+    std::uint32_t before;
+  };
+
+  std::vector<std::uint32_t> last_;
+  std::vector<Entry> entries_;
+};
+
+struct ReachedEdge {
+  StateId from;
+  StateId to;
+  PathCost cost;
+};
+
+/// All edges out of the states that the start leads to; nothing if a limit strikes.
+std::optional<std::vector<ReachedEdge>> reachedEdges(std::size_t num_states, StateId start,
+                                                     const SuccessorFunction& successors,
+                                                     SearchGuard& guard,
+                                                     SearchStatistics& statistics) {
+  std::vector<ReachedEdge> edges;
+  std::vector<bool> seen(num_states, false);
+  std::vector<StateId> open{start};
+  std::vector<Successor> next;
+  seen[index(start)] = true;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const StateId from = open[i];
+    if (!guard.expand(statistics)) return std::nullopt;
+    successors(from, next);
+    statistics.generated += next.size();
+    for (const Successor& step : next) {
+      edges.push_back({from, step.state, step.cost});
+      if (seen[index(step.state)]) continue;
+      seen[index(step.state)] = true;
+      open.push_back(step.state);
+    }
+  }
+  return edges;
+}
+
+/// Edges grouped by the state that they lead to.
+class EdgesByEnd {
+ public:
+  EdgesByEnd(std::size_t num_states, std::span<const ReachedEdge> edges)
+      : first_(num_states + 1, 0), edges_(edges.size()) {
+    for (const ReachedEdge& edge : edges) ++first_[index(edge.to) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::vector<std::size_t> free(first_.begin(), first_.end() - 1);
+    for (const ReachedEdge& edge : edges) edges_[free[index(edge.to)]++] = edge;
+  }
+
+  std::span<const ReachedEdge> operator[](StateId end) const {
+    return std::span(edges_).subspan(first_[index(end)],
+                                     first_[index(end) + 1] - first_[index(end)]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<ReachedEdge> edges_;
+};
+
+}  // namespace
+
+std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId goal,
+                                 const SuccessorFunction& successors,
+                                 const PathHeuristic& heuristic, const PathSearchOptions& options,
+                                 SearchGuard& guard, SearchStatistics& statistics) {
+  std::vector<StatePath> found;
+  PathTree tree(start);
+  ExpandedLengths expanded(num_states);
+  std::priority_queue<OpenPath> open;
+  std::vector<Successor> next;
+  if (heuristic(start) != kOutOfReach) open.push({heuristic(start), 0, 0});
+  while (!open.empty() && found.size() < options.top) {
+    const OpenPath entry = open.top();
+    open.pop();
+    const StateId state = tree[entry.node].state;
+    if (expanded.has(options.top, state, entry.length)) continue;
+    if (!guard.expand(statistics)) break;
+    expanded.add(state, entry.length);
+    if (state == goal) found.push_back(tree.path(entry.node));
+    if (entry.length == options.horizon) continue;
+    successors(state, next);
+    for (const Successor& step : next) {
+      const PathCost rest = heuristic(step.state);
+      if (rest == kOutOfReach || expanded.has(options.top, step.state, entry.length + 1)) continue;
+      ++statistics.generated;
+      const std::uint32_t node = tree.add(entry.node, step);
+      open.push({options.greedy ? rest : tree[node].cost + rest, entry.length + 1, node});
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const StatePath& a, const StatePath& b) { return a.cost < b.cost; });
+  return found;
+}
+
+std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, StateId start,
+                                                     StateId goal,
+                                                     const SuccessorFunction& successors,
+                                                     SearchGuard& guard,
+                                                     SearchStatistics& statistics) {
+  const auto edges = reachedEdges(num_states, start, successors, guard, statistics);
+  if (!edges) return std::nullopt;
+  const EdgesByEnd into(num_states, *edges);
+  std::vector<PathCost> distance(num_states, kOutOfReach);
+  using Reached = std::pair<PathCost, StateId>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  distance[index(goal)] = 0;
+  open.push({0, goal});
+  while (!open.empty()) {
+    const auto [cost, state] = open.top();
+    open.pop();
+    if (cost > distance[index(state)]) continue;
+    for (const ReachedEdge& edge : into[state]) {
+      const PathCost longer = cost + edge.cost;
+      if (longer >= distance[index(edge.from)]) continue;
+      distance[index(edge.from)] = longer;
+      open.push({longer, edge.from});
+    }
+  }
+  return distance;
+}
+
+}  // namespace conceptplan

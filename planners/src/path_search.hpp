@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "path_tree.hpp"
+#include "search_guard.hpp"
+
+namespace conceptplan {
+
+/// A number for each state, in units of cost; kOutOfReach where no way leads to the goal.
+using PathHeuristic = std::function<PathCost(StateId)>;
+
+struct PathSearchOptions {
+  std::size_t top = 1;      ///< paths wanted
+  std::size_t horizon = 0;  ///< longest path, in actions
+  bool greedy = false;      ///< go by the heuristic alone, not by the cost so far
+};
+
+/// Paths from start to goal by best-first search, distinct and by rising cost; paths may pass the
+/// goal and return to it. Fewer than asked for if there are no more or a limit strikes.
+///
+/// With a consistent heuristic and not greedy, these are exactly the least costly paths within the
+/// horizon, ties going to the shorter one. A path is dropped where `top` others that cost no more
+/// and are no longer have reached its end, since each of its continuations then has that many
+/// rivals. So every state is expanded at most `top` times for each length, mostly `top` times in
+/// all.
+std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId goal,
+                                 const SuccessorFunction& successors,
+                                 const PathHeuristic& heuristic, const PathSearchOptions& options,
+                                 SearchGuard& guard, SearchStatistics& statistics);
+
+/// The least cost from each state to the goal, [num_states]; kOutOfReach where there is no way and
+/// for states that the start does not lead to. Nothing if a limit strikes.
+/// Source: E. W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph.
+std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, StateId start,
+                                                     StateId goal,
+                                                     const SuccessorFunction& successors,
+                                                     SearchGuard& guard,
+                                                     SearchStatistics& statistics);
+
+}  // namespace conceptplan

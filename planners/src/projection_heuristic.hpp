@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "successors.hpp"
+
+namespace conceptplan {
+
+/// A lower bound of the cost from a state to the goal, made from the compiled tables alone: the sum
+/// over concepts of the least cost at which that concept by itself can get from its symbol to the
+/// goal's. Memory: one number for each symbol of each concept that changes.
+///
+/// The projection on concept k has an edge v -> v' wherever some step of the problem changes k from
+/// v to v'. A step of cost c that changes m concepts counts c/m, rounded down, in each of them and
+/// nothing in the others; an edge has the least such share of all its steps, and d_k(v) is the
+/// least cost from v to the goal's symbol. h(s) is the sum of d_k over all k.
+///
+/// Admissible: a path to the goal projects to a path of concept k to the goal's symbol, whose edges
+/// cost no more than the shares of its steps; the shares of one step sum to at most its cost, so
+/// the sum over k of d_k is at most the cost of the path. Consistent: a step s -> s' of cost c
+/// lowers d_k only where it changes k, and there by at most the edge's cost, so
+/// h(s) <= c + h(s'). Where one action moves one concept only, as on a bench without walls, h is
+/// exact.
+///
+/// Source: J. Culberson and J. Schaeffer, Pattern databases, 1998, doi:10.1111/0824-7935.00065;
+/// costs are shared out as by M. Katz and C. Domshlak, 2010, doi:10.1016/j.artint.2010.04.021.
+class ProjectionHeuristic {
+ public:
+  /// Looks once at every valid state of the reading of the other objects that the goal is in.
+  ProjectionHeuristic(const SymbolGraph& graph, StateId goal, const SuccessorFunction& successors);
+
+  /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.
+  PathCost operator()(StateId state) const;
+
+ private:
+  const SymbolGraph& graph_;
+  std::array<std::vector<PathCost>, kNumConcepts>
+      distance_;  // [symbols]; empty if it never changes
+};
+
+}  // namespace conceptplan

@@ -1,0 +1,366 @@
+// Planners against brute force on small random worlds: whatever they search by, what they answer is
+// what trying everything answers.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "conceptplan/planners/belief_update.hpp"
+#include "conceptplan/planners/planner_registry.hpp"
+#include "planners/random_world.hpp"
+#include "planners/tiny_world.hpp"
+
+namespace conceptplan {
+namespace {
+
+using testing::randomWorld;
+
+constexpr std::uint64_t kWorlds = 60;
+constexpr double kThreshold = 0.01;
+constexpr double kDiscount = 0.99;
+constexpr std::size_t kHorizon = 6;
+/// Costs are counted in billionths.
+constexpr double kCostTolerance = 1e-7;
+
+PlanQuery queryFor(std::size_t top, std::size_t horizon = kHorizon) {
+  PlanQuery query;
+  query.top = top;
+  query.limits.horizon = horizon;
+  return query;
+}
+
+PlanResult solve(const std::string& planner, const SymbolGraph& graph, const PlanQuery& query,
+                 const OptionTexts& options = {}) {
+  return PlannerRegistry::standard().make(planner, options)->solve(graph, query);
+}
+
+/// An action sequence in which every action has its most probable outcome.
+struct Walk {
+  double cost = 0;  ///< -log of its discounted probability
+  ActionSequence actions;
+};
+
+/// All walks from the start to the goal of at most so many actions, each of them legal, valid and
+/// changing something.
+std::vector<Walk> allWalks(const SymbolGraph& graph, std::size_t horizon = kHorizon) {
+  std::vector<Walk> walks;
+  ActionSequence prefix;
+  const std::function<void(StateId, double)> walk = [&](StateId state, double probability) {
+    if (state == graph.mostProbableGoal()) walks.push_back({-std::log(probability), prefix});
+    if (prefix.size() == horizon) return;
+    for (const Action action : kActions) {
+      if (graph.legality(state, action) <= kThreshold) continue;
+      const Transition& outcome = graph.transitions(state, action).front();
+      if (outcome.state == state || !graph.valid(outcome.state)) continue;
+      prefix.push_back(action);
+      walk(outcome.state, probability * kDiscount * outcome.probability);
+      prefix.pop_back();
+    }
+  };
+  walk(graph.mostProbableStart(), 1);
+  std::sort(walks.begin(), walks.end(),
+            [](const Walk& a, const Walk& b) { return a.cost < b.cost; });
+  return walks;
+}
+
+/// Every plan is a walk and costs what it costs; rising, none twice.
+void expectWalks(const PlanResult& result, const std::vector<Walk>& walks) {
+  std::set<ActionSequence> distinct;
+  double last = 0;
+  for (const Plan& plan : result.plans) {
+    const auto same = std::find_if(walks.begin(), walks.end(),
+                                   [&](const Walk& walk) { return walk.actions == plan.actions; });
+    ASSERT_NE(same, walks.end());
+    EXPECT_NEAR(plan.cost, same->cost, kCostTolerance);
+    EXPECT_GE(plan.cost, last);
+    last = plan.cost;
+    EXPECT_TRUE(distinct.insert(plan.actions).second);
+  }
+}
+
+class ExactPaths : public ::testing::TestWithParam<const char*> {};
+
+// The k shortest paths problem (Eppstein 1998), against full enumeration.
+TEST_P(ExactPaths, AreTheBestOfFullEnumerationInOrder) {
+  constexpr std::size_t kTop = 25;
+  std::size_t solved = 0;
+  for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed);
+    const std::vector<Walk> walks = allWalks(graph);
+    const PlanResult result = solve(GetParam(), graph, queryFor(kTop));
+    ASSERT_EQ(result.status, walks.empty() ? PlanStatus::kInfeasible : PlanStatus::kSolved);
+    ASSERT_EQ(result.plans.size(), std::min(kTop, walks.size()));
+    expectWalks(result, walks);
+    for (std::size_t i = 0; i < result.plans.size(); ++i) {
+      EXPECT_NEAR(result.plans[i].cost, walks[i].cost, kCostTolerance) << "plan " << i;
+    }
+    solved += walks.empty() ? 0 : 1;
+  }
+  EXPECT_GT(solved, kWorlds / 3);
+  EXPECT_LT(solved, kWorlds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, ExactPaths, ::testing::Values("dijkstra", "astar", "kbest"),
+                         [](const auto& planner) { return std::string(planner.param); });
+
+TEST(IdaStarOracle, ThePlanIsTheBestOfFullEnumeration) {
+  for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed);
+    const std::vector<Walk> walks = allWalks(graph);
+    const PlanResult result = solve("idastar", graph, queryFor(1));
+    ASSERT_EQ(result.status, walks.empty() ? PlanStatus::kInfeasible : PlanStatus::kSolved);
+    if (walks.empty()) continue;
+    expectWalks(result, walks);
+    EXPECT_NEAR(result.plans.front().cost, walks.front().cost, kCostTolerance);
+  }
+}
+
+TEST(BfsOracle, PlansAreTheShortestOfFullEnumerationThenByTheOrderOfActions) {
+  constexpr std::size_t kTop = 25;
+  for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed);
+    std::vector<Walk> walks = allWalks(graph);
+    std::sort(walks.begin(), walks.end(), [](const Walk& a, const Walk& b) {
+      return std::pair(a.actions.size(), a.actions) < std::pair(b.actions.size(), b.actions);
+    });
+    const PlanResult result = solve("bfs", graph, queryFor(kTop));
+    ASSERT_EQ(result.plans.size(), std::min(kTop, walks.size()));
+    for (std::size_t i = 0; i < result.plans.size(); ++i) {
+      EXPECT_EQ(result.plans[i].actions, walks[i].actions) << "plan " << i;
+    }
+  }
+}
+
+class FindingPlanner : public ::testing::TestWithParam<const char*> {};
+
+// Nilsson 1980: a best-first search with any evaluation is complete on a finite graph.
+TEST_P(FindingPlanner, FindsAPlanWhereverOneIs) {
+  for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed);
+    const std::vector<Walk> walks = allWalks(graph);
+    const PlanResult result = solve(GetParam(), graph, queryFor(5));
+    ASSERT_EQ(result.status, walks.empty() ? PlanStatus::kInfeasible : PlanStatus::kSolved);
+    expectWalks(result, walks);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, FindingPlanner, ::testing::Values("greedy", "beam"),
+                         [](const auto& planner) { return std::string(planner.param); });
+
+TEST(BeamOracle, TooNarrowABeamGivesUpInsteadOfProving) {
+  std::size_t given_up = 0;
+  for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed);
+    const std::vector<Walk> walks = allWalks(graph);
+    const PlanResult result = solve("beam", graph, queryFor(1), {{"width", "1"}});
+    EXPECT_TRUE(result.status != PlanStatus::kInfeasible || walks.empty());
+    if (result.status == PlanStatus::kSolved) expectWalks(result, walks);
+    if (result.status != PlanStatus::kLimit) continue;
+    ++given_up;
+    EXPECT_THAT(result.reason, ::testing::HasSubstr("width of 1 sequences"));
+  }
+  EXPECT_GT(given_up, 0u);
+}
+
+/// V_n of Bellman's equation, n steps before the end, started from 0: the greatest probability of
+/// the goal times the discount of each step, when the state can be seen.
+std::vector<double> valuesByBackwardInduction(const SymbolGraph& graph, std::size_t steps) {
+  std::vector<double> values(graph.numStates(), 0);
+  for (std::size_t step = 0; step <= steps; ++step) {
+    std::vector<double> before(graph.numStates(), 0);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const auto state = static_cast<StateId>(i);
+      for (const Action action : kActions) {
+        if (graph.legality(state, action) <= kThreshold) continue;
+        double sum = 0;
+        for (const Transition& outcome : graph.transitions(state, action)) {
+          if (graph.valid(outcome.state)) sum += outcome.probability * values[index(outcome.state)];
+        }
+        before[i] = std::max(before[i], kDiscount * sum);
+      }
+    }
+    before[index(graph.mostProbableGoal())] = 1;
+    values = std::move(before);
+  }
+  return values;
+}
+
+/// The value of the start by what a planner says of its best plan, whose cost is -log of it where
+/// the plan follows the policy.
+double valueOfStart(const PlanResult& result) { return std::exp(-result.plans.front().cost); }
+
+class PolicyPlanner : public ::testing::TestWithParam<const char*> {};
+
+// Bellman 1957.
+TEST_P(PolicyPlanner, TheValueOfTheStartSolvesBellmansEquation) {
+  std::size_t solved = 0;
+  for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed);
+    const double value = valuesByBackwardInduction(graph, 3000)[index(graph.mostProbableStart())];
+    const PlanResult result = solve(GetParam(), graph, queryFor(5, 24));
+    if (value == 0) {
+      EXPECT_EQ(result.status, PlanStatus::kInfeasible);
+      continue;
+    }
+    if (result.status == PlanStatus::kFailed) continue;
+    ASSERT_EQ(result.status, PlanStatus::kSolved) << result.reason;
+    EXPECT_LE(valueOfStart(result), value + 2e-4);
+    solved += std::abs(valueOfStart(result) - value) < 2e-4 ? 1 : 0;
+  }
+  // In few worlds no plan follows the policy, and the best plan costs more than that.
+  EXPECT_GT(solved, kWorlds / 3);
+}
+
+/// The value of one stationary policy, [states].
+std::vector<double> valuesOfPolicy(const SymbolGraph& graph, const std::vector<Action>& policy) {
+  std::vector<double> values(graph.numStates(), 0);
+  for (int sweep = 0; sweep < 2000; ++sweep) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto state = static_cast<StateId>(i);
+      if (state == graph.mostProbableGoal()) {
+        values[i] = 1;
+        continue;
+      }
+      values[i] = 0;
+      if (graph.legality(state, policy[i]) <= kThreshold) continue;
+      for (const Transition& outcome : graph.transitions(state, policy[i])) {
+        values[i] += kDiscount * outcome.probability * values[index(outcome.state)];
+      }
+    }
+  }
+  return values;
+}
+
+// Bellman 1957: some stationary policy is as good as any other from every state.
+TEST_P(PolicyPlanner, TheValueOfTheStartIsThatOfTheBestOfAllPolicies) {
+  using testing::tinySymbols;
+  const SymbolGraph graph = compile(
+      testing::tinyModel(), testing::tinyProblem(tinySymbols(0, 0, 0, 0), tinySymbols(0, 2, 1, 0)),
+      GridValidity());
+  constexpr std::array kChoices{Action::kMoveLeft, Action::kMoveRight, Action::kRotateLeft};
+  ASSERT_EQ(graph.numStates(), 6u);
+  double best = 0;
+  for (std::size_t code = 0; code < 3 * 3 * 3 * 3 * 3 * 3; ++code) {
+    std::vector<Action> policy;
+    for (std::size_t rest = code, i = 0; i < 6; ++i, rest /= 3) {
+      policy.push_back(kChoices[rest % 3]);
+    }
+    best = std::max(best, valuesOfPolicy(graph, policy)[index(graph.mostProbableStart())]);
+  }
+  const PlanResult result = solve(GetParam(), graph, queryFor(3, 24));
+  ASSERT_EQ(result.status, PlanStatus::kSolved);
+  EXPECT_NEAR(valueOfStart(result), best, 1e-5);
+  // Open loop, a plan cannot react to a slip: two moves right at 0.8 and a turn at 0.9.
+  EXPECT_NEAR(result.plans.front().probability, 0.8 * 0.8 * 0.9, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, PolicyPlanner, ::testing::Values("value-iteration", "lrtdp"),
+                         [](const auto& planner) {
+                           std::string name = planner.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+// Kocsis and Szepesvari 2006: the values of UCT tend to those of the best policy.
+TEST(MctsOracle, TheFirstActionIsNearlyTheBestAfterManyRuns) {
+  std::size_t solved = 0;
+  for (std::uint64_t seed = 0; seed < kWorlds / 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed);
+    const StateId start = graph.mostProbableStart();
+    const std::vector<double> values = valuesByBackwardInduction(graph, 3000);
+    if (values[index(start)] == 0 || start == graph.mostProbableGoal()) continue;
+    const PlanResult result = solve("mcts", graph, queryFor(1, 24), {{"iterations", "3000"}});
+    if (result.status != PlanStatus::kSolved) continue;
+    double value = 0;
+    for (const Transition& outcome :
+         graph.transitions(start, result.plans.front().actions.front())) {
+      if (!graph.valid(outcome.state)) continue;
+      value += kDiscount * outcome.probability * values[index(outcome.state)];
+    }
+    EXPECT_GE(value, values[index(start)] - 0.1);
+    ++solved;
+  }
+  EXPECT_GT(solved, kWorlds / 10);
+}
+
+TEST(MctsOracle, TheSeedDecidesTheRuns) {
+  const SymbolGraph graph = randomWorld(3);
+  PlanQuery query = queryFor(5, 24);
+  query.seed = 1;
+  EXPECT_EQ(solve("mcts", graph, query), solve("mcts", graph, query));
+  std::set<double> costs;
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    query.seed = seed;
+    const PlanResult result = solve("mcts", graph, query);
+    if (!result.plans.empty()) costs.insert(result.plans.front().cost);
+  }
+  EXPECT_GT(costs.size(), 1u);
+}
+
+/// Pr[goal, every step legal and valid] by summation over all sequences of states.
+double summedOverPaths(const SymbolGraph& graph, const StateBelief& goal,
+                       const ActionSequence& actions, std::size_t step, StateId state) {
+  if (step == actions.size()) return goal[index(state)];
+  if (graph.legality(state, actions[step]) <= kThreshold) return 0;
+  double sum = 0;
+  for (const Transition& outcome : graph.transitions(state, actions[step])) {
+    if (!graph.valid(outcome.state)) continue;
+    sum += outcome.probability * summedOverPaths(graph, goal, actions, step + 1, outcome.state);
+  }
+  return sum;
+}
+
+// Eqs. (4)-(6) of arXiv 2310.03325, Sec. III-B.
+TEST(BeliefOracle, Eqs4To6BySummationOverAllStatePathsOfAllSequences) {
+  constexpr std::size_t kLongest = 3;
+  constexpr std::size_t kTop = 10;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = randomWorld(seed, true);
+    const std::vector<double> goal = graph.stateBelief(graph.problem().goal);
+    std::vector<double> start = graph.stateBelief(graph.initialBelief());
+    double valid = 0;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      if (!graph.valid(static_cast<StateId>(i))) start[i] = 0;
+      valid += start[i];
+    }
+    std::vector<double> scores;
+    ActionSequence prefix;
+    const std::function<void()> enumerate = [&] {
+      double sum = 0;
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        if (start[i] == 0) continue;
+        sum += start[i] / valid * summedOverPaths(graph, goal, prefix, 0, static_cast<StateId>(i));
+      }
+      scores.push_back(std::pow(kDiscount, prefix.size()) * sum);
+      if (prefix.size() == kLongest) return;
+      for (const Action action : kActions) {
+        prefix.push_back(action);
+        enumerate();
+        prefix.pop_back();
+      }
+    };
+    enumerate();
+    std::sort(scores.rbegin(), scores.rend());
+    const PlanResult result =
+        solve("belief", graph, queryFor(kTop, kLongest),
+              {{"alternatives", "paths"}, {"min_hypothesis", "0"}, {"min_probability", "0"}});
+    ASSERT_EQ(result.plans.size(), kTop) << result.reason;
+    for (std::size_t i = 0; i < kTop; ++i) {
+      EXPECT_NEAR(std::exp(-result.plans[i].cost), scores[i], 1e-9) << "plan " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace conceptplan
