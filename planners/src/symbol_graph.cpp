@@ -181,16 +181,19 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
   for (std::size_t k = 0; k < kNumConcepts; ++k) checked[k] = checked[k] && graph.stride_[k] != 0;
   for (std::size_t reading = 0; reading < readings.size(); ++reading) {
     // One check serves all states that agree in the concepts on which validity depends.
-    const SymbolTable<Verdict> verdicts(
-        checked, graph.cardinality_, graph.frozen_, [&](const Symbols& target) {
-          return validity.check(problem.initial.workbench, model.grounding, target,
-                                readings[reading].others);
-        });
-    graph.validity_checks_ += verdicts.values().size();
+    std::vector<Symbols> asked;
+    const SymbolTable<std::size_t> check(checked, graph.cardinality_, graph.frozen_,
+                                         [&](const Symbols& target) {
+                                           asked.push_back(target);
+                                           return asked.size() - 1;
+                                         });
+    const std::vector<Verdict> verdicts = validity.checkAll(
+        problem.initial.workbench, model.grounding, asked, readings[reading].others);
+    graph.validity_checks_ += asked.size();
     JointOutcomes joint(tables[reading], graph.stride_);
     for (std::size_t i = 0; i < states; ++i) {
       const Symbols target = graph.symbols(static_cast<StateId>(i));
-      graph.verdicts_.push_back(verdicts[target]);
+      graph.verdicts_.push_back(verdicts[check[target]]);
       for (const Action action : kActions) {
         graph.legality_.push_back(tables[reading].legality(action, target));
         graph.first_transition_.push_back(graph.transitions_.size());

@@ -205,7 +205,7 @@ TEST_P(PolicyPlanner, TheValueOfTheStartSolvesBellmansEquation) {
   for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
     SCOPED_TRACE(seed);
     const SymbolGraph graph = randomWorld(seed);
-    const double value = valuesByBackwardInduction(graph, 3000)[index(graph.mostProbableStart())];
+    const double value = valuesByBackwardInduction(graph, 1500)[index(graph.mostProbableStart())];
     const PlanResult result = solve(GetParam(), graph, queryFor(5, 24));
     if (value == 0) {
       EXPECT_EQ(result.status, PlanStatus::kInfeasible);
@@ -223,7 +223,7 @@ TEST_P(PolicyPlanner, TheValueOfTheStartSolvesBellmansEquation) {
 /// The value of one stationary policy, [states].
 std::vector<double> valuesOfPolicy(const SymbolGraph& graph, const std::vector<Action>& policy) {
   std::vector<double> values(graph.numStates(), 0);
-  for (int sweep = 0; sweep < 2000; ++sweep) {
+  for (int sweep = 0; sweep < 400; ++sweep) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto state = static_cast<StateId>(i);
       if (state == graph.mostProbableGoal()) {
@@ -277,9 +277,9 @@ TEST(MctsOracle, TheFirstActionIsNearlyTheBestAfterManyRuns) {
     SCOPED_TRACE(seed);
     const SymbolGraph graph = randomWorld(seed);
     const StateId start = graph.mostProbableStart();
-    const std::vector<double> values = valuesByBackwardInduction(graph, 3000);
+    const std::vector<double> values = valuesByBackwardInduction(graph, 1500);
     if (values[index(start)] == 0 || start == graph.mostProbableGoal()) continue;
-    const PlanResult result = solve("mcts", graph, queryFor(1, 24), {{"iterations", "3000"}});
+    const PlanResult result = solve("mcts", graph, queryFor(1, 24), {{"iterations", "1000"}});
     if (result.status != PlanStatus::kSolved) continue;
     double value = 0;
     for (const Transition& outcome :
@@ -294,17 +294,18 @@ TEST(MctsOracle, TheFirstActionIsNearlyTheBestAfterManyRuns) {
 }
 
 TEST(MctsOracle, TheSeedDecidesTheRuns) {
-  const SymbolGraph graph = randomWorld(3);
-  PlanQuery query = queryFor(5, 24);
-  query.seed = 1;
-  EXPECT_EQ(solve("mcts", graph, query), solve("mcts", graph, query));
-  std::set<double> costs;
-  for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    query.seed = seed;
+  std::size_t differing = 0;
+  for (std::uint64_t world = 0; world < kWorlds / 3; ++world) {
+    SCOPED_TRACE(world);
+    const SymbolGraph graph = randomWorld(world);
+    PlanQuery query = queryFor(5, 24);
+    query.seed = 1;
     const PlanResult result = solve("mcts", graph, query);
-    if (!result.plans.empty()) costs.insert(result.plans.front().cost);
+    EXPECT_EQ(result, solve("mcts", graph, query));
+    query.seed = 2;
+    differing += solve("mcts", graph, query) != result ? 1 : 0;
   }
-  EXPECT_GT(costs.size(), 1u);
+  EXPECT_GT(differing, 0u);
 }
 
 /// Pr[goal, every step legal and valid] by summation over all sequences of states.

@@ -3,14 +3,13 @@
 #include <gmock/gmock.h>
 
 #include "path_search.hpp"
-#include "planners/learned_world.hpp"
+#include "planners/grid_world.hpp"
 #include "planners/random_world.hpp"
 
 namespace conceptplan {
 namespace {
 
-using testing::learnedModel;
-using testing::learnedRelabelling;
+using testing::gridWorld;
 using testing::randomWorld;
 
 constexpr double kThreshold = 0.01;
@@ -51,28 +50,21 @@ TEST(ProjectionHeuristic, IsAdmissibleAndConsistentOnRandomWorlds) {
   }
 }
 
-Task cupTask(Cell start, Cell goal) {
-  Task task;
-  task.initial.objects = {{ObjectType::kCup, start, 0, 0, 0}};
-  task.goal = {ObjectType::kCup, goal, 2, 0, 0};
-  return task;
-}
-
-TEST(ProjectionHeuristic, FindsTheStepsOnAFreeBenchFromTheLearnedTablesAlone) {
-  const SymbolGraph graph = compile(
-      learnedModel(), learnedRelabelling().problem(cupTask({0, 0}, {2, 4})), GridValidity());
+TEST(ProjectionHeuristic, IsExactOnAFreeBenchFromTheTablesAlone) {
+  const testing::GridWorld world = gridWorld(3, 5, 4, 0, 1);
+  const SymbolGraph graph = compile(world.model, world.problem, GridValidity());
   const ProjectionHeuristic heuristic(graph, graph.mostProbableGoal(),
                                       anyOutcomeSuccessors(graph, kThreshold));
   // Two columns, four rows and half a turn.
   EXPECT_EQ(heuristic(graph.mostProbableStart()), 8 * kNat);
 }
 
-TEST(ProjectionHeuristic, IsAdmissibleAmongObstacles) {
-  Task task = cupTask({0, 0}, {2, 0});
-  task.initial.objects.push_back({ObjectType::kPot, {1, 0}, 0, 0, 0});
-  task.initial.objects.push_back({ObjectType::kEgg, {1, 1}, 0, 0, 0});
-  expectAdmissibleAndConsistent(
-      compile(learnedModel(), learnedRelabelling().problem(task), GridValidity()));
+TEST(ProjectionHeuristic, IsAdmissibleAndConsistentAmongObstacles) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const testing::GridWorld world = gridWorld(4, 5, 3, 0.3, seed);
+    expectAdmissibleAndConsistent(compile(world.model, world.problem, GridValidity()));
+  }
 }
 
 }  // namespace
