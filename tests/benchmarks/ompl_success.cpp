@@ -1,9 +1,9 @@
-// Solves level-4 tasks with every planner of OMPL and prints how many, how fast and how long the
-// plans are: ompl_success [TASKS [TIMEOUT_S]].
+// Solves level-4 tasks with every planner of OMPL and prints how many it solves within a second of
+// processor time, how fast and how well: ompl_success [TASKS].
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "conceptplan/domain/simulation/judgement.hpp"
 #include "conceptplan/ompl/ompl_planner.hpp"
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   const int tasks = argc > 1 ? std::atoi(argv[1]) : 1000;
   PlanQuery query;
   query.top = 1;
-  query.limits.timeout_s = argc > 2 ? std::atof(argv[2]) : 1;
+  query.limits.timeout_s = 600;  // others may keep the processor busy
   PlannerRegistry registry;
   addOmplPlanners(registry);
   std::printf("%-16s %9s %9s %9s %9s %9s %9s\n", "planner", "solved %", "median ms", "99 % ms",
@@ -30,13 +30,11 @@ int main(int argc, char** argv) {
       const Task task = testing::testTask(4, i);
       const auto graph = testing::graphOf(task);
       query.seed = static_cast<std::uint64_t>(i);
-      const auto begin = std::chrono::steady_clock::now();
+      const std::clock_t begin = std::clock();
       const PlanResult result = planner->solve(*graph, query);
-      const std::chrono::duration<double, std::milli> time =
-          std::chrono::steady_clock::now() - begin;
-      times_ms.push_back(time.count());
+      times_ms.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       expanded += result.statistics.expanded;
-      if (result.plans.empty()) continue;
+      if (result.plans.empty() || times_ms.back() > 1000) continue;
       const Judgement judgement = judge(task, result.plans.front().actions);
       if (!judgement.succeeded()) continue;
       ++solved;

@@ -28,6 +28,8 @@ using ::testing::ThrowsMessage;
 using testing::tinyGraph;
 using testing::tinySymbols;
 
+constexpr double kPatience_s = 100;  // the machine may be busy
+
 /// A planner that ends when it is cancelled, with no plan.
 class Waiting final : public Planner {
   PlanResult search(const SymbolGraph&, const PlanQuery& query) const override {
@@ -59,7 +61,7 @@ TEST_F(GraphPlannerTest, OurPlannersSolveTasksOfEveryLevelInSimpleSetup) {
     for (int level = 1; level <= 4; ++level) {
       const Task task = testTask(level, 1);
       const auto setup = setupOf(graphOf(task), planner);
-      EXPECT_EQ(setup->solve(10.0), PlannerStatus::EXACT_SOLUTION) << task.id;
+      EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION) << task.id;
       ASSERT_TRUE(setup->haveExactSolutionPath());
       EXPECT_TRUE(setup->getSolutionPath().check());
       EXPECT_EQ(setup->getSolutionPath().length(), task.reference.size()) << task.id;
@@ -70,7 +72,7 @@ TEST_F(GraphPlannerTest, OurPlannersSolveTasksOfEveryLevelInSimpleSetup) {
 
 TEST_F(GraphPlannerTest, ThePathHoldsTheActionsOfThePlan) {
   const auto setup = setupOf(tinyGraph(tinySymbols(0, 0, 0, 0), tinySymbols(0, 2, 1, 0)));
-  ASSERT_TRUE(setup->solve(10.0));
+  ASSERT_TRUE(setup->solve(kPatience_s));
   ompl::control::PathControl& path = setup->getSolutionPath();
   ASSERT_EQ(path.getControlCount(), 3u);
   ActionSequence actions;
@@ -85,24 +87,24 @@ TEST_F(GraphPlannerTest, PlansBetweenOtherStatesThanTheGraphWasCompiledFor) {
   const SymbolStateSpace::StateType goal(graph->state(tinySymbols(0, 0, 0, 0)));
   setup->getProblemDefinition()->clearStartStates();
   setup->getProblemDefinition()->setStartAndGoalStates(&start, &goal);
-  EXPECT_EQ(setup->solve(10.0), PlannerStatus::EXACT_SOLUTION);
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION);
   EXPECT_EQ(setup->getSolutionPath().length(), 2);
   EXPECT_TRUE(setup->getSolutionPath().check());
 }
 
 TEST_F(GraphPlannerTest, SolvesAgainAfterAClear) {
   const auto setup = setupOf(graphOf(testTask(3, 1)));
-  EXPECT_EQ(setup->solve(10.0), PlannerStatus::EXACT_SOLUTION);
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION);
   const double length = setup->getSolutionPath().length();
   setup->clear();
   EXPECT_FALSE(setup->haveSolutionPath());
-  EXPECT_EQ(setup->solve(10.0), PlannerStatus::EXACT_SOLUTION);
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION);
   EXPECT_EQ(setup->getSolutionPath().length(), length);
 }
 
 TEST_F(GraphPlannerTest, AnInfeasibleProblemGetsAProof) {
   const auto setup = setupOf(graphOf(lockedInTask()));
-  EXPECT_FALSE(setup->solve(10.0));
+  EXPECT_FALSE(setup->solve(kPatience_s));
   EXPECT_NE(setup->getLastPlannerStatus(), PlannerStatus::TIMEOUT);
   EXPECT_TRUE(setup->getProblemDefinition()->hasSolutionNonExistenceProof());
   EXPECT_EQ(setup->getPlanner()->as<GraphPlanner>()->result().status, PlanStatus::kInfeasible);
@@ -120,7 +122,7 @@ TEST_F(GraphPlannerTest, TheTerminationConditionCancels) {
 TEST_F(GraphPlannerTest, TheLimitsAreParameters) {
   const auto setup = setupOf(graphOf(testTask(4, 0)));
   setup->getPlanner()->params().setParam("max_expansions", "1");
-  EXPECT_EQ(setup->solve(10.0), PlannerStatus::TIMEOUT);
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::TIMEOUT);
   EXPECT_THAT(setup->getPlanner()->as<GraphPlanner>()->result().reason,
               HasSubstr("limit of 1 expansions"));
 }
@@ -140,7 +142,7 @@ TEST_F(GraphPlannerTest, RefusesNoPlannerAndOtherSpaces) {
 class BenchmarkLog {
  public:
   explicit BenchmarkLog(const std::string& text) : lines_(text) {
-    EXPECT_THAT(line(), ::testing::MatchesRegex("OMPL version [0-9.]+.*"));
+    EXPECT_THAT(line(), ::testing::StartsWith("OMPL version "));
     EXPECT_EQ(line(), "Experiment level 4");
     std::string next = line();
     while (lines_ && next.find(" enum type") == std::string::npos) next = line();
@@ -186,7 +188,7 @@ TEST_F(GraphPlannerTest, BenchmarkLogsReadAsOmplsOwn) {
   }
   benchmark.addPlanner(std::make_shared<ompl::control::RRT>(setup->getSpaceInformation()));
   ompl::tools::Benchmark::Request request;
-  request.maxTime = 2;
+  request.maxTime = kPatience_s;
   request.runCount = 3;
   request.displayProgress = false;
   request.saveConsoleOutput = false;
