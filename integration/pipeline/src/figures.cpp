@@ -8,7 +8,7 @@
 namespace conceptplan {
 namespace {
 
-/// Up to `most` pictures of the set, drawn without repetition.
+/// As many pictures of the set as the options allow, none twice.
 std::vector<figures::ReadObject> readObjects(const Model& model, const ConceptDataset& data,
                                              const FigureOptions& options,
                                              std::mt19937_64& generator) {
