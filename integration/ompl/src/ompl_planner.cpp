@@ -15,19 +15,18 @@
 #include <memory>
 #include <optional>
 #include <random>
-#include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "conceptplan/ompl/action_space.hpp"
 #include "conceptplan/ompl/symbol_space_information.hpp"
-#include "conceptplan/planners/belief_update.hpp"
-#include "conceptplan/planners/bfs_planner.hpp"
-#include "legality_trace.hpp"
 #include "ompl_console.hpp"
-#include "search_guard.hpp"
+#include "option_range.hpp"
+#include "path_planning.hpp"
+#include "path_search.hpp"
 #include "symbol_regions.hpp"
 
 namespace conceptplan {
@@ -36,7 +35,6 @@ namespace {
 using ompl::control::SpaceInformationPtr;
 
 constexpr int kFreeVolumeSamples = 1000;
-constexpr std::size_t kTracedStates = 64;
 
 /// A planner of OMPL whose own generator is seeded. Where it looks for near states it compares them
 /// all, since OMPL's trees of neighbours draw from generators that cannot be seeded.
@@ -115,8 +113,8 @@ std::optional<std::vector<StateId>> replay(const SpaceInformationPtr& space,
 
 /// From the first to the last of the states by actions that each lead as far on among them as one
 /// action can.
-ActionSequence shortened(const SymbolStateSpace& states, const std::vector<StateId>& along) {
-  ActionSequence actions;
+StatePath shortened(const SymbolStateSpace& states, const std::vector<StateId>& along) {
+  StatePath path;
   for (std::size_t at = 0; along[at] != along.back();) {
     std::size_t farthest = at;
     Action taken{};
@@ -128,10 +126,12 @@ ActionSequence shortened(const SymbolStateSpace& states, const std::vector<State
         taken = action;
       }
     }
-    actions.push_back(taken);
     at = farthest;
+    path.actions.push_back(taken);
+    path.states.push_back(along[at]);
+    path.cost += kNat;
   }
-  return actions;
+  return path;
 }
 
 /// Runs of one algorithm on one graph.
@@ -147,8 +147,9 @@ class OmplRuns {
     space_ = makeSpaceInformation({std::shared_ptr<void>(), &graph}, space);
   }
 
-  /// Actions from start to goal; nothing if the guard stopped the run.
-  std::optional<ActionSequence> run(SearchGuard& guard, SearchStatistics& statistics) {
+  /// From start to goal; nothing if the guard stopped the run.
+  /// @throws std::runtime_error if OMPL gives up by itself.
+  std::optional<StatePath> run(SearchGuard& guard, SearchStatistics& statistics) {
     auto* states = space_->getStateSpace()->as<SymbolStateSpace>();
     states->seedSamplers(seeds_());
     space_->getControlSpace()->as<ActionSpace>()->seedSamplers(seeds_());
@@ -162,8 +163,13 @@ class OmplRuns {
         makePlanner(algorithm_, static_cast<std::uint32_t>(seeds_()), options_.goal_bias, space_);
     planner->setProblemDefinition(problem);
     planner->setup();
-    planner->solve(ompl::base::PlannerTerminationCondition(
+    const std::size_t before = statistics.expanded;
+    const ompl::base::PlannerStatus status = planner->solve(ompl::base::PlannerTerminationCondition(
         [&] { return (last && statistics.expanded >= *last) || !guard.expand(statistics); }));
+    if (statistics.expanded == before && !guard.stopped()) {
+      throw std::runtime_error(planner->getName() +
+                               " ends before its first step: " + status.asString());
+    }
     ompl::control::PlannerData tree(space_);
     planner->getPlannerData(tree);
     statistics.generated += tree.numVertices();
@@ -185,76 +191,45 @@ class OmplRuns {
 
 OmplPlanner::OmplPlanner(OmplAlgorithm algorithm, const OmplPlannerOptions& options)
     : algorithm_(algorithm), options_(options) {
-  const auto check = [](bool fits, const std::string& name, double value, const char* expected) {
-    if (fits) return;
-    throw std::invalid_argument(name + " is " + std::to_string(value) + ", expected " + expected);
-  };
-  const auto inUnit = [](double value) { return value >= 0 && value <= 1; };
-  check(inUnit(options.legality_threshold), "legality_threshold", options.legality_threshold,
-        "a number in [0, 1]");
-  check(inUnit(options.goal_bias), "goal_bias", options.goal_bias, "a number in [0, 1]");
-  check(options.control_samples > 0, "control_samples", 0, "at least 1");
+  checkOptionRange("legality_threshold", options.legality_threshold, 0, 1);
+  checkOptionRange("goal_bias", options.goal_bias, 0, 1);
+  checkOptionRange("control_samples", static_cast<double>(options.control_samples), 1, 100);
 }
 
 PlanResult OmplPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  SearchGuard guard(query.limits);
-  PlanQuery proof = query;
-  proof.top = 1;
-  proof.limits.max_expansions = std::max<std::size_t>(query.limits.max_expansions / 2, 1);
-  PlanResult result = BfsPlanner({options_.legality_threshold}).solve(graph, proof);
-  const StateId start = graph.mostProbableStart();
-  const StateId goal = graph.mostProbableGoal();
-  if (result.status == PlanStatus::kInfeasible || result.status == PlanStatus::kTimeout ||
-      start == goal) {
-    return result;
-  }
-  result.plans.clear();
+  return planByPaths(graph, query, options_.legality_threshold, [&](const PathTask& task) {
+    SearchLimits half = query.limits;
+    half.max_expansions = std::max<std::size_t>(half.max_expansions / 2, 1);
+    SearchGuard proof(half);
+    const SuccessorFunction successors = likelySuccessors(graph, options_.legality_threshold,
+                                                          [](const Transition&) { return kNat; });
+    std::vector<StatePath> paths = bestPaths(
+        graph.numStates(), task.start, task.goal, successors, [](StateId) { return PathCost{0}; },
+        {1, query.limits.horizon}, proof, task.statistics);
+    const bool infeasible = paths.empty() && !proof.stopped();
+    if (infeasible || (!paths.empty() && task.start == task.goal)) return paths;
 
-  const OmplSilence silence;
-  std::set<std::pair<std::size_t, ActionSequence>> found;
-  try {
-    OmplRuns runs(graph, algorithm_, options_, query.seed);
-    for (std::size_t i = 0; found.size() < query.top && (i < query.top || found.empty()); ++i) {
-      const std::optional<ActionSequence> actions = runs.run(guard, result.statistics);
-      if (actions && actions->size() <= query.limits.horizon) {
-        found.insert({actions->size(), *actions});
+    paths.clear();  // there is one; OMPL shall find it
+    const OmplSilence silence;
+    try {
+      OmplRuns runs(graph, algorithm_, options_, query.seed);
+      for (std::size_t i = 0; paths.size() < query.top && (i < query.top || paths.empty()); ++i) {
+        std::optional<StatePath> path = runs.run(task.guard, task.statistics);
+        const auto same = [&](const StatePath& other) { return other.actions == path->actions; };
+        if (path && path->actions.size() <= query.limits.horizon &&
+            std::none_of(paths.begin(), paths.end(), same)) {
+          paths.push_back(std::move(*path));
+        }
+        if (task.guard.stopped()) break;
       }
-      if (guard.stopped()) break;
+    } catch (const std::exception& error) {
+      task.guard.stop(PlanStatus::kFailed, std::string("OMPL: ") + error.what());
     }
-  } catch (const std::exception& error) {
-    result.status = PlanStatus::kFailed;
-    result.reason = std::string("OMPL: ") + error.what();
-    return result;
-  }
-  result.reason = guard.reason();
-  if (found.empty()) {
-    result.status = *guard.stopped();
-    result.rejections = traceRejections(graph,
-                                        reachableStates(graph, start, options_.legality_threshold,
-                                                        query.limits.horizon, kTracedStates),
-                                        options_.legality_threshold);
-    return result;
-  }
-  result.status = PlanStatus::kSolved;
-  const StateBelief start_belief = startBelief(graph, graph.initialBelief());
-  const StateBelief goal_belief = graph.stateBelief(graph.problem().goal);
-  for (const auto& [length, actions] : found) {
-    Plan plan;
-    plan.actions = actions;
-    plan.cost = static_cast<double>(length);
-    plan.probability =
-        probabilityOf(graph, actions, start_belief, goal_belief, options_.legality_threshold).joint;
-    std::vector<StateId> along{start};
-    for (const Action action : actions) {
-      along.push_back(graph.transitions(along.back(), action).front().state);
-      plan.predicted.push_back(graph.symbols(along.back()));
-    }
-    if (result.plans.empty()) {
-      result.rejections = traceRejections(graph, along, options_.legality_threshold);
-    }
-    result.plans.push_back(std::move(plan));
-  }
-  return result;
+    std::sort(paths.begin(), paths.end(), [](const StatePath& a, const StatePath& b) {
+      return std::tie(a.cost, a.actions) < std::tie(b.cost, b.actions);
+    });
+    return paths;
+  });
 }
 
 }  // namespace conceptplan

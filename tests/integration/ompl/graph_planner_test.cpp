@@ -35,7 +35,9 @@ class Waiting final : public Planner {
   PlanResult search(const SymbolGraph&, const PlanQuery& query) const override {
     while (!*query.limits.cancel) {
     }
-    return {PlanStatus::kLimit, {}, {}, {}, "cancelled"};
+    PlanResult result;
+    result.status = PlanStatus::kLimit;
+    return result;
   }
 };
 
