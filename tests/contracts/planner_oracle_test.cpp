@@ -223,18 +223,16 @@ TEST_P(PolicyPlanner, TheValueOfTheStartSolvesBellmansEquation) {
 /// The value of one stationary policy, [states].
 std::vector<double> valuesOfPolicy(const SymbolGraph& graph, const std::vector<Action>& policy) {
   std::vector<double> values(graph.numStates(), 0);
-  for (int sweep = 0; sweep < 400; ++sweep) {
+  for (int sweep = 0; sweep < 200; ++sweep) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto state = static_cast<StateId>(i);
-      if (state == graph.mostProbableGoal()) {
-        values[i] = 1;
-        continue;
+      double value = state == graph.mostProbableGoal() ? 1 : 0;
+      if (value == 0 && graph.legality(state, policy[i]) > kThreshold) {
+        for (const Transition& outcome : graph.transitions(state, policy[i])) {
+          value += kDiscount * outcome.probability * values[index(outcome.state)];
+        }
       }
-      values[i] = 0;
-      if (graph.legality(state, policy[i]) <= kThreshold) continue;
-      for (const Transition& outcome : graph.transitions(state, policy[i])) {
-        values[i] += kDiscount * outcome.probability * values[index(outcome.state)];
-      }
+      values[i] = value;
     }
   }
   return values;
