@@ -1,5 +1,6 @@
 #include "conceptplan/ompl/ompl_planner.hpp"
 
+#include <ompl/base/goals/GoalState.h>
 #include <ompl/control/PathControl.h>
 #include <ompl/control/PlannerData.h>
 #include <ompl/control/planners/est/EST.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <random>
@@ -134,6 +136,24 @@ StatePath shortened(const SymbolStateSpace& states, const std::vector<StateId>& 
   return path;
 }
 
+/// A goal that tells when a state first reaches it: planners that improve their paths go on then.
+class WatchedGoal final : public ompl::base::GoalState {
+ public:
+  WatchedGoal(const SpaceInformationPtr& space, std::function<void()> reached)
+      : GoalState(space), reached_(std::move(reached)) {}
+
+  using GoalState::isSatisfied;
+
+  bool isSatisfied(const ompl::base::State* state, double* distance) const override {
+    const bool satisfied = GoalState::isSatisfied(state, distance);
+    if (satisfied) reached_();
+    return satisfied;
+  }
+
+ private:
+  std::function<void()> reached_;
+};
+
 /// Runs of one algorithm on one graph.
 class OmplRuns {
  public:
@@ -156,9 +176,12 @@ class OmplRuns {
     const auto problem = std::make_shared<ompl::base::ProblemDefinition>(space_);
     setStartAndGoal(*problem);
     std::optional<std::size_t> last;  // expansion, once there is a path
-    problem->setIntermediateSolutionCallback([&](const auto*, const auto&, const auto&) {
+    const auto goal = std::make_shared<WatchedGoal>(space_, [&] {
       if (!last) last = statistics.expanded + options_.improvement_steps;
     });
+    const SymbolStateSpace::StateType goal_state(states->graph().mostProbableGoal());
+    goal->setState(&goal_state);
+    problem->setGoal(goal);
     const ompl::base::PlannerPtr planner =
         makePlanner(algorithm_, static_cast<std::uint32_t>(seeds_()), options_.goal_bias, space_);
     planner->setProblemDefinition(problem);
