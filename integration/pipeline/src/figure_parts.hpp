@@ -12,7 +12,7 @@ namespace conceptplan::figures {
 /// One object of the set and how the model reads it.
 struct ReadObject {
   ConceptSample sample;
-  Tokens tokens;
+  Tokens tokens = Tokens::Zero();
   Symbols symbols;
 };
 
