@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/pipeline/all_planners.hpp"
 #include "conceptplan/pipeline/frame_evaluation.hpp"
 #include "evaluate_concepts.hpp"
@@ -61,6 +62,9 @@ std::vector<std::string> rowText(const FrameEvaluationRow& row) {
 }
 
 int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
+  if (options.tasks.empty()) {
+    throw InputError({Fault{"--tasks", {}, {}, "", "a set of tasks is needed, or --concepts"}});
+  }
   const PlannerRegistry registry = allPlanners();
   for (const std::string& planner : options.planners) registry.make(planner, {}, "--planners");
   const TaskDataset tasks(options.tasks);
@@ -113,14 +117,16 @@ void addEvaluateCommand(CommandLine& line) {
                             ? evaluateTasks(*options, session)
                             : evaluateConceptSet(options->concepts, options->model, session);
                });
-  CLI::Option_group* set = command.add_option_group("Set", "What to evaluate on, one of them");
-  set->require_option(1);
-  set->add_option("--tasks", options->tasks, "Set of tasks with the pictures of start and goal")
-      ->type_name("DIR");
-  set->add_option("--concepts", options->concepts,
-                  "Set of pictures of single objects: accuracy and calibration of the symbols, and "
-                  "disentanglement of the tokens")
-      ->type_name("DIR");
+  CLI::Option* tasks =
+      command
+          .add_option("--tasks", options->tasks, "Set of tasks with the pictures of start and goal")
+          ->type_name("DIR");
+  command
+      .add_option("--concepts", options->concepts,
+                  "In its place, a set of pictures of single objects: accuracy and calibration of "
+                  "the symbols, and disentanglement of the tokens")
+      ->type_name("DIR")
+      ->excludes(tasks);
   command
       .add_option("--planners", options->planners, "Planners by name, a,b,c; belief if left out")
       ->delimiter(',')
