@@ -90,7 +90,7 @@ TEST(InfeasibleTrace, AHorizonTooShortIsNoObjectsFault) {
 
 TEST(InfeasibleTrace, APlanHasNoSuchReason) {
   std::vector<Symbols> objects = kLockedIn;
-  objects[1] = at(1, 1);
+  objects[1] = at(0, 4);
   for (const PlanResult& result : solveAll(problemOf(objects, 2, at(2, 4)))) {
     ASSERT_EQ(result.status, PlanStatus::kSolved);
     EXPECT_THAT(result.blocking, IsEmpty());

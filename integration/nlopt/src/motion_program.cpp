@@ -11,6 +11,7 @@ namespace {
 constexpr int kSamplesPerSpan = 4;
 constexpr double kChordSmoothing_m = 5e-4;  // e
 constexpr double kSlack_m = 5e-4;           // for what the spline does between two samples
+constexpr double kLiftSlack_m = 3e-3;       // the same where it rises beside an edge
 constexpr double kSharpness_1_m = 2000;     // of the smooth maximum; it is at most 0.35 mm too low
 
 /// log((exp(k a) + exp(k b)) / 2) / k: below max(a, b), and smooth.
@@ -30,7 +31,7 @@ MotionProgram::MotionProgram(const MotionTask& task, const RefinementOptions& op
       span_s_(start.span_s()),
       may_lift_(std::find(lifted.begin(), lifted.end(), true) != lifted.end()),
       jerk_factor_(options.jerk_weight / std::pow(span_s_, 5)),
-      clearance_m_(options.clearance_m + kSlack_m),
+      clearance_m_(options.clearance_m + (may_lift_ ? kLiftSlack_m : kSlack_m)),
       target_radius_m_(task.target.radius_m),
       obstacles_(task.obstacles) {
   for (int i = 0; i < start.numSpans() * kSamplesPerSpan; ++i) {

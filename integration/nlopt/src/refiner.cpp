@@ -233,13 +233,15 @@ RefinementResult Refiner::refine(const MotionTask& task) const {
   Candidate motion = discrete;
   int evaluations = 0;
   std::string reason = nearnessAtRest(task, options_.clearance_m);
-  if (reason.empty()) {
+  const bool is_clear_at_rest = reason.empty();
+  if (is_clear_at_rest) {
     motion = solve(task, options_, discrete, {}, evaluations);
     reason = faultOf(motion, discrete, options_.clearance_m);
     if (!reason.empty()) reason = "pushed, the motion " + reason;
   }
   if (const auto lifted = movesToLift(task, options_.clearance_m);
-      !reason.empty() && std::find(lifted.begin(), lifted.end(), true) != lifted.end()) {
+      is_clear_at_rest && !reason.empty() &&
+      std::find(lifted.begin(), lifted.end(), true) != lifted.end()) {
     motion = solve(task, options_, discrete, lifted, evaluations);
     const std::string fault = faultOf(motion, discrete, options_.clearance_m);
     reason = fault.empty() ? "" : reason + "; lifted, it " + fault;

@@ -120,7 +120,7 @@ TEST(Refiner, GoesRoundAnObstacleOnTheShortestWay) {
 TEST(Refiner, LiftsTheTargetOverWhatItCannotPass) {
   // Too little room between the obstacle in the middle and the way along the left column.
   MotionTask task = through({{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}}, 0.05);
-  task.obstacles = {obstacleIn({1, 2}, 0.19, 0.08)};
+  task.obstacles = {obstacleIn({1, 2}, 0.16, 0.08)};
   const RefinementResult result = Refiner().refine(task);
   ASSERT_FALSE(result.fell_back) << result.reason;
   EXPECT_LT(result.discrete_clearance_m, 0.01);
@@ -135,8 +135,8 @@ TEST(Refiner, LiftsTheTargetOverWhatItCannotPass) {
 }
 
 TEST(Refiner, FallsBackToTheDiscretePlanAndSaysWhy) {
-  MotionTask task = through({{1, 0}, {1, 1}, {1, 2}}, 0.09);
-  task.obstacles = {obstacleIn({0, 0}, 0.105)};
+  MotionTask task = through({{1, 0}, {1, 1}, {1, 2}}, 0.085);
+  task.obstacles = {obstacleIn({0, 0}, 0.11)};
   const RefinementResult beside = Refiner().refine(task);
   EXPECT_TRUE(beside.fell_back);
   EXPECT_EQ(beside.reason, "the start is 5.0 mm from obstacle 1, 10.0 mm are asked");
