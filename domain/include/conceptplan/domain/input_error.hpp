@@ -12,8 +12,8 @@ struct Fault {
   std::string path;         ///< file, or the option of the command
   std::optional<int> line;  ///< from 1
   std::optional<int> column;
-  std::string key;          ///< e.g. "initial.rgb"; empty if none applies
-  std::string message;      ///< what was expected and what was found
+  std::string key;      ///< e.g. "initial.rgb"; empty if none applies
+  std::string message;  ///< what was expected and what was found
 
   /// "path:line:column: key: message", without what is absent.
   std::string text() const;
