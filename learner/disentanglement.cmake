@@ -6,12 +6,14 @@ conceptplan_library(disentanglement
     include/conceptplan/learner/disentanglement/dci.hpp
     include/conceptplan/learner/disentanglement/disentanglement_scores.hpp
     include/conceptplan/learner/disentanglement/factor_codes.hpp
+    include/conceptplan/learner/disentanglement/principal_axes.hpp
   SOURCES
     src/disentanglement/dci.cpp
     src/disentanglement/disentanglement_scores.cpp
     src/disentanglement/factor_codes.cpp
     src/disentanglement/fixed_factor_scores.cpp
     src/disentanglement/mutual_information_gap.cpp
+  src/disentanglement/principal_axes.cpp
     src/disentanglement/quantile_bins.cpp
     src/disentanglement/random_forest.cpp
     src/disentanglement/separated_attribute_predictability.cpp

@@ -24,7 +24,7 @@ conceptplan_library(learner
     include/conceptplan/learner/torch/token_tensors.hpp
     include/conceptplan/learner/torch/training_state.hpp
     include/conceptplan/learner/torch/vict_trainer.hpp
-    include/conceptplan/learner/training/anchor_sampler.hpp
+    include/conceptplan/learner/training/chain_sampler.hpp
     include/conceptplan/learner/training/augmentation.hpp
     include/conceptplan/learner/training/concept_images.hpp
     include/conceptplan/learner/training/task_sequences.hpp
@@ -51,7 +51,7 @@ conceptplan_library(learner
     src/torch/training_state.cpp
     src/torch/vict_trainer.cpp
     src/torch/visual_transition.cpp
-    src/training/anchor_sampler.cpp
+    src/training/chain_sampler.cpp
     src/training/augmentation.cpp
     src/training/concept_images.cpp
   PUBLIC conceptplan::domain conceptplan::transitions torch

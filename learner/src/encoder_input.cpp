@@ -25,6 +25,10 @@ float medianDepth(const ObjectCrop& crop) {
 
 }  // namespace
 
+Eigen::Vector2d pixelOf(const std::array<float, 3>& location) {
+  return {(location[0] + 1.0) * (kFrameWidth / 2.0), (location[1] + 1.0) * (kFrameHeight / 2.0)};
+}
+
 float depthOf(const std::array<float, 3>& location, float level) {
   return kDepthOrigin_m + kDepthUnit_m * location[2] + kDepthLevel_m * (level - kDepthMiddle);
 }

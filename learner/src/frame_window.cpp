@@ -20,10 +20,9 @@ WindowCorner windowAround(double x, double y, int width, int height) {
 }
 
 WindowCorner cropCorner(const DrawnObject& object) {
-  const double x = (object.location[0] + 1.0) * (kFrameWidth / 2.0);
-  const double y = (object.location[1] + 1.0) * (kFrameHeight / 2.0);
-  return {static_cast<int>(std::lround(x)) - DrawnObject::kEdge / 2,
-          static_cast<int>(std::lround(y)) - DrawnObject::kEdge / 2};
+  const Eigen::Vector2d centre = pixelOf(object.location);
+  return {static_cast<int>(std::lround(centre.x())) - DrawnObject::kEdge / 2,
+          static_cast<int>(std::lround(centre.y())) - DrawnObject::kEdge / 2};
 }
 
 FrameWindow cutWindow(std::span<const std::uint8_t> rgb, std::span<const std::uint8_t> hole,

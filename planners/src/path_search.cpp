@@ -138,6 +138,17 @@ std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId 
   return found;
 }
 
+std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_threshold,
+                                     StateId start, StateId goal, const PathSearchOptions& options,
+                                     SearchGuard& guard, SearchStatistics& statistics) {
+  // Equal ranks leave the queue in the order in which they came, so paths of one length are
+  // expanded in the order of their actions.
+  return bestPaths(
+      graph.numStates(), start, goal,
+      likelySuccessors(graph, legality_threshold, [](const Transition&) { return kNat; }),
+      [](StateId) { return PathCost{0}; }, options, guard, statistics);
+}
+
 std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, StateId start,
                                                      StateId goal,
                                                      const SuccessorFunction& successors,

@@ -32,6 +32,12 @@ std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId 
                                  const PathHeuristic& heuristic, const PathSearchOptions& options,
                                  SearchGuard& guard, SearchStatistics& statistics);
 
+/// Paths of the fewest actions from start to goal, distinct and by rising length; ties go by the
+/// order of the actions. Every action costs one, kNat.
+std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_threshold,
+                                     StateId start, StateId goal, const PathSearchOptions& options,
+                                     SearchGuard& guard, SearchStatistics& statistics);
+
 /// The least cost from each state to the goal, [num_states]; kOutOfReach where there is no way and
 /// for states that the start does not lead to. Nothing if a limit strikes.
 /// Source: E. W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph.

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "conceptplan/domain/files/nearest_name.hpp"
 #include "conceptplan/domain/input_error.hpp"
@@ -29,6 +30,25 @@ std::optional<double> numberIn(const std::string& text) {
 }
 
 }  // namespace
+
+PlannerOption PlannerOption::number(std::string name, std::string standard, double least,
+                                    double most, std::string summary) {
+  return {std::move(name),   OptionType::kNumber, std::move(standard), least, most, {},
+          std::move(summary)};
+}
+
+PlannerOption PlannerOption::integer(std::string name, std::string standard, double least,
+                                     double most, std::string summary) {
+  return {std::move(name),   OptionType::kInteger, std::move(standard), least, most, {},
+          std::move(summary)};
+}
+
+PlannerOption PlannerOption::choice(std::string name, std::vector<std::string> choices,
+                                    std::string summary) {
+  std::string standard = choices.front();
+  return {std::move(name),    OptionType::kChoice, std::move(standard), 0, 0,
+          std::move(choices), std::move(summary)};
+}
 
 std::string PlannerOption::typeName() const {
   switch (type) {

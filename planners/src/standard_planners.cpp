@@ -11,38 +11,21 @@
 namespace conceptplan {
 namespace {
 
-PlannerOption number(std::string name, std::string standard, double least, double most,
-                     std::string summary) {
-  return {std::move(name),   OptionType::kNumber, std::move(standard), least, most, {},
-          std::move(summary)};
-}
-
-PlannerOption integer(std::string name, std::string standard, double least, double most,
-                      std::string summary) {
-  return {std::move(name),   OptionType::kInteger, std::move(standard), least, most, {},
-          std::move(summary)};
-}
-
-PlannerOption choice(std::string name, std::vector<std::string> choices, std::string summary) {
-  std::string standard = choices.front();
-  return {std::move(name),    OptionType::kChoice, std::move(standard), 0, 0,
-          std::move(choices), std::move(summary)};
-}
-
 PlannerOption legalityThreshold() {
-  return number("legality_threshold", "0.01", 0, 1,
-                "an action is legal where Pr[a given the symbols] is greater");
+  return PlannerOption::number("legality_threshold", "0.01", 0, 1,
+                               "an action is legal where Pr[a given the symbols] is greater");
 }
 
 constexpr double kMostCount = 100'000;
 
 PlannerOption stepDiscount(double least) {
-  return number("step_discount", "0.01", least, 0.5,
-                "share by which one more action must raise a plan's probability to rank first");
+  return PlannerOption::number(
+      "step_discount", "0.01", least, 0.5,
+      "share by which one more action must raise a plan's probability to rank first");
 }
 
 PlannerOption epsilon(std::string summary) {
-  return number("epsilon", "1e-6", 1e-12, 0.1, std::move(summary));
+  return PlannerOption::number("epsilon", "1e-6", 1e-12, 0.1, std::move(summary));
 }
 
 /// What planners that give every action its most probable outcome say of giving up.
@@ -67,20 +50,24 @@ PlannerEntry beliefEntry() {
        "below min_hypothesis; a search stopped by a limit says so.",
        "infeasible is proved on the compiled graph; giving up is limit or timeout."},
       {legalityThreshold(),
-       choice("symbols", {"soft", "hard"},
-              "plan with the whole belief, or with the most probable symbols alone"),
-       choice("ranking", {"joint", "conditional"},
-              "probability of the goal and of every step, or of the goal under the belief that is "
-              "scaled to one at each step (the paper's letter)"),
-       choice("alternatives", {"outcomes", "paths"},
-              "further plans lead to other outcomes first, or are the next most probable sequences "
-              "whatever their outcome"),
+       PlannerOption::choice("symbols", {"soft", "hard"},
+                             "plan with the whole belief, or with the most probable symbols alone"),
+       PlannerOption::choice(
+           "ranking", {"joint", "conditional"},
+           "probability of the goal and of every step, or of the goal under the belief that is "
+           "scaled to one at each step (the paper's letter)"),
+       PlannerOption::choice(
+           "alternatives", {"outcomes", "paths"},
+           "further plans lead to other outcomes first, or are the next most probable sequences "
+           "whatever their outcome"),
        stepDiscount(0),
-       number("min_probability", "0.001", 0, 1,
-              "least probability of a plan where the most probable goal is out of reach"),
-       number("min_hypothesis", "0.0001", 0, 1,
-              "start states with a smaller share of the most probable one do not guide the search"),
-       number(
+       PlannerOption::number(
+           "min_probability", "0.001", 0, 1,
+           "least probability of a plan where the most probable goal is out of reach"),
+       PlannerOption::number(
+           "min_hypothesis", "0.0001", 0, 1,
+           "start states with a smaller share of the most probable one do not guide the search"),
+       PlannerOption::number(
            "alternative_share", "0.01", 0, 1,
            "other outcomes with a smaller share of the best plan's probability give way to other "
            "paths")},
@@ -199,7 +186,8 @@ PlannerEntry beamEntry() {
            "At most width sequences of each length; limit if these were too few to find a plan.",
            kProvedOnLikelyOutcomes},
           {legalityThreshold(), stepDiscount(0),
-           integer("width", "500", 1, kMostCount, "action sequences kept of each length")},
+           PlannerOption::integer("width", "500", 1, kMostCount,
+                                  "action sequences kept of each length")},
           [](const OptionValues& values) -> std::unique_ptr<Planner> {
             return std::make_unique<BeamPlanner>(BeamPlannerOptions{
                 values.number("legality_threshold"), values.number("step_discount"),
@@ -258,8 +246,9 @@ PlannerEntry mctsEntry() {
       {"Values tend to those of the best policy as iterations grow; no plan need be the best.",
        kPolicyPlans, kProvedOnAllOutcomes},
       {legalityThreshold(), stepDiscount(1e-4),
-       integer("iterations", "500", 1, kMostCount, "simulated runs; each is one expansion"),
-       number("exploration", "0.1", 0, 10, "weight of the confidence bound")},
+       PlannerOption::integer("iterations", "500", 1, kMostCount,
+                              "simulated runs; each is one expansion"),
+       PlannerOption::number("exploration", "0.1", 0, 10, "weight of the confidence bound")},
       [](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<MctsPlanner>(MctsPlannerOptions{
             values.number("legality_threshold"), values.number("step_discount"),

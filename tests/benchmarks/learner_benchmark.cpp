@@ -94,10 +94,10 @@ void trainingStep(benchmark::State& state) {
     trainer.step();
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  const std::int64_t pairs = options.groups * static_cast<std::int64_t>(kNumConcepts);
+  const std::int64_t pairs = options.chains * static_cast<std::int64_t>(kNumConcepts);
   state.SetItemsProcessed(state.iterations() * pairs);
-  secondsOfProducts(7 * options.groups);
-  const double products = secondsOfProducts(7 * options.groups);
+  secondsOfProducts(7 * options.chains);
+  const double products = secondsOfProducts(7 * options.chains);
   state.counters["share of matrix products' rate"] =
       products * static_cast<double>(state.iterations()) / seconds;
 }

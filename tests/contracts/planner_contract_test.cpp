@@ -9,38 +9,20 @@
 
 #include "conceptplan/domain/simulation/judgement.hpp"
 #include "conceptplan/domain/simulation/simulator.hpp"
-#include "conceptplan/domain/simulation/task_generator.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
 #include "planners/learned_world.hpp"
+#include "planners/sample_tasks.hpp"
 
 namespace conceptplan {
 namespace {
 
 using testing::learnedModel;
 using testing::learnedRelabelling;
-
-Task testTask(int level, int number) {
-  TaskOptions options;
-  options.level = level;
-  options.split = Split::kTest;
-  options.seed = 7;
-  return TaskGenerator(options).task(number);
-}
+using testing::lockedInTask;
+using testing::testTask;
 
 SymbolGraph graphOf(const Task& task) {
   return compile(learnedModel(), learnedRelabelling().problem(task), GridValidity());
-}
-
-/// The target in a corner behind two obstacles.
-Task lockedInTask() {
-  Task task;
-  task.level = 2;
-  task.initial.objects = {{ObjectType::kCup, {0, 0}, 0, 0, 0},
-                          {ObjectType::kPot, {1, 0}, 0, 0, 0},
-                          {ObjectType::kEgg, {0, 1}, 0, 0, 0}};
-  task.goal = task.initial.objects[0];
-  task.goal.cell = {2, 4};
-  return task;
 }
 
 class PlannerContract : public ::testing::TestWithParam<std::string> {

@@ -233,18 +233,17 @@ RefinementResult Refiner::refine(const MotionTask& task) const {
   Candidate motion = discrete;
   int evaluations = 0;
   std::string reason = nearnessAtRest(task, options_.clearance_m);
-  const bool is_clear_at_rest = reason.empty();
-  if (is_clear_at_rest) {
+  if (reason.empty()) {
     motion = solve(task, options_, discrete, {}, evaluations);
-    reason = faultOf(motion, discrete, options_.clearance_m);
-    if (!reason.empty()) reason = "pushed, the motion " + reason;
-  }
-  if (const auto lifted = movesToLift(task, options_.clearance_m);
-      is_clear_at_rest && !reason.empty() &&
-      std::find(lifted.begin(), lifted.end(), true) != lifted.end()) {
-    motion = solve(task, options_, discrete, lifted, evaluations);
-    const std::string fault = faultOf(motion, discrete, options_.clearance_m);
-    reason = fault.empty() ? "" : reason + "; lifted, it " + fault;
+    const std::string pushed = faultOf(motion, discrete, options_.clearance_m);
+    if (!pushed.empty()) reason = "pushed, the motion " + pushed;
+    const auto lifted =
+        pushed.empty() ? std::vector<bool>() : movesToLift(task, options_.clearance_m);
+    if (std::find(lifted.begin(), lifted.end(), true) != lifted.end()) {
+      motion = solve(task, options_, discrete, lifted, evaluations);
+      const std::string fault = faultOf(motion, discrete, options_.clearance_m);
+      reason = fault.empty() ? "" : reason + "; lifted, it " + fault;
+    }
   }
   if (!reason.empty()) motion = discrete;
   return {motion.trajectory,

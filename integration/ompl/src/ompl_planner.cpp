@@ -224,11 +224,9 @@ PlanResult OmplPlanner::search(const SymbolGraph& graph, const PlanQuery& query)
     SearchLimits half = query.limits;
     half.max_expansions = std::max<std::size_t>(half.max_expansions / 2, 1);
     SearchGuard proof(half);
-    const SuccessorFunction successors = likelySuccessors(graph, options_.legality_threshold,
-                                                          [](const Transition&) { return kNat; });
-    std::vector<StatePath> paths = bestPaths(
-        graph.numStates(), task.start, task.goal, successors, [](StateId) { return PathCost{0}; },
-        {1, query.limits.horizon}, proof, task.statistics);
+    std::vector<StatePath> paths =
+        shortestPaths(graph, options_.legality_threshold, task.start, task.goal,
+                      {1, query.limits.horizon}, proof, task.statistics);
     const bool infeasible = paths.empty() && !proof.stopped();
     if (infeasible || (!paths.empty() && task.start == task.goal)) return paths;
 

@@ -12,34 +12,24 @@ struct OmplEntry {
   bool control_samples = true;
 };
 
-PlannerOption number(std::string name, std::string standard, double least, double most,
-                     std::string summary) {
-  return {std::move(name),   OptionType::kNumber, std::move(standard), least, most, {},
-          std::move(summary)};
-}
-
-PlannerOption integer(std::string name, std::string standard, double least, double most,
-                      std::string summary) {
-  return {std::move(name),   OptionType::kInteger, std::move(standard), least, most, {},
-          std::move(summary)};
-}
-
 std::vector<PlannerOption> optionsOf(const OmplEntry& entry) {
   const OmplPlannerOptions standard;
   std::vector<PlannerOption> options{
-      number("legality_threshold", "0.01", 0, 1,
-             "an action is legal where Pr[a given the symbols] is greater")};
+      PlannerOption::number("legality_threshold", "0.01", 0, 1,
+                            "an action is legal where Pr[a given the symbols] is greater")};
   if (entry.goal_bias) {
-    options.push_back(
-        number("goal_bias", "0.05", 0, 1, "share of the samples that are drawn at the goal"));
+    options.push_back(PlannerOption::number("goal_bias", "0.05", 0, 1,
+                                            "share of the samples that are drawn at the goal"));
   }
   if (entry.control_samples) {
-    options.push_back(integer("control_samples", std::to_string(standard.control_samples), 1, 100,
-                              "actions tried to come near a sample; the best is taken"));
+    options.push_back(
+        PlannerOption::integer("control_samples", std::to_string(standard.control_samples), 1, 100,
+                               "actions tried to come near a sample; the best is taken"));
   }
   if (entry.algorithm == OmplAlgorithm::kSst) {
-    options.push_back(integer("improvement_steps", std::to_string(standard.improvement_steps), 0,
-                              1e6, "steps of a run after its first path, to find a shorter one"));
+    options.push_back(
+        PlannerOption::integer("improvement_steps", std::to_string(standard.improvement_steps), 0,
+                               1e6, "steps of a run after its first path, to find a shorter one"));
   }
   return options;
 }

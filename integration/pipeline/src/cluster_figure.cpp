@@ -1,7 +1,8 @@
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "conceptplan/learner/disentanglement/principal_axes.hpp"
 #include "figure_parts.hpp"
 #include "report_markup.hpp"
 #include "svg_drawing.hpp"
@@ -13,25 +14,12 @@ constexpr double kPanel = 310, kStepX = 346, kStepY = 430, kLeft = 28, kTop = 14
 constexpr std::array kPalette{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                               "#56b4e9", "#d55e00", "#7a5195", "#8c8c8c"};
 
-/// Coordinates along the first two principal components, and their share of the variance.
-struct Plane {
-  Eigen::MatrixX2d points;
-  double share = 0;
-};
-
-Plane principalPlane(const std::vector<ReadObject>& objects, Eigen::Index token) {
+/// One concept's token of each object. [objects, 64]
+Eigen::MatrixXd tokensOf(const std::vector<ReadObject>& objects, Eigen::Index token) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(objects.size()), Tokens::ColsAtCompileTime);
   for (std::size_t i = 0; i < objects.size(); ++i)
     rows.row(static_cast<Eigen::Index>(i)) = objects[i].tokens.row(token).cast<double>();
-  rows.rowwise() -= rows.colwise().mean().eval();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(rows.transpose() * rows);
-  Eigen::MatrixX2d axes = solver.eigenvectors().rightCols<2>().rowwise().reverse();
-  for (Eigen::Index c = 0; c < 2; ++c) {  // the sign of an eigenvector is no fact: fix it
-    Eigen::Index largest = 0;
-    axes.col(c).cwiseAbs().maxCoeff(&largest);
-    if (axes(largest, c) < 0) axes.col(c) *= -1;
-  }
-  return {rows * axes, solver.eigenvalues().tail<2>().sum() / solver.eigenvalues().sum()};
+  return rows;
 }
 
 std::string_view colorOf(Concept which, int value) {
@@ -43,22 +31,24 @@ std::string_view colorOf(Concept which, int value) {
 
 void panel(SvgDrawing& drawing, const Material& material, Concept which, Point corner) {
   const std::size_t k = index(which);
-  const Plane plane = principalPlane(material.objects, static_cast<Eigen::Index>(k));
+  const Eigen::MatrixXd tokens = tokensOf(material.objects, static_cast<Eigen::Index>(k));
+  const PrincipalAxes plane = principalAxes(tokens, 2);
+  const Eigen::MatrixX2d points = tokens * plane.axes;
   drawing.text({corner.x, corner.y - 12}, name(which), {18, {}, true});
   drawing.text({corner.x + kPanel, corner.y - 12},
                report::decimal(100 * plane.share, 0) + " % of the variance",
                {14, Anchor::kEnd, false, kQuiet});
   drawing.rectangle(corner, kPanel, kPanel, "#f7f8fa", "#d5dae0");
 
-  const Eigen::RowVector2d low = plane.points.colwise().minCoeff();
-  const Eigen::RowVector2d extent = plane.points.colwise().maxCoeff() - low;
+  const Eigen::RowVector2d low = points.colwise().minCoeff();
+  const Eigen::RowVector2d extent = points.colwise().maxCoeff() - low;
   const double scale = (kPanel - 28) / std::max(1e-9, extent.maxCoeff());
   const std::vector<int>& values = material.model.symbols().values[k];
   std::vector<std::vector<Point>> of_symbol(values.size());
   std::vector<Point> misread;
   for (std::size_t i = 0; i < material.objects.size(); ++i) {
     const Eigen::RowVector2d place =
-        (plane.points.row(static_cast<Eigen::Index>(i)) - low - extent / 2) * scale;
+        (points.row(static_cast<Eigen::Index>(i)) - low - extent / 2) * scale;
     const Point at{corner.x + kPanel / 2 + place.x(), corner.y + kPanel / 2 - place.y()};
     const ReadObject& object = material.objects[i];
     const std::size_t symbol = index(object.symbols[k]);

@@ -28,7 +28,8 @@ bool trainConcepts(const Run& run, ModelManifest&) {
                                   {"confidence", losses.confidence},
                                   {"reconstruction", losses.reconstruction},
                                   {"direct", losses.direct},
-                                  {"location", losses.location}}
+                                  {"location", losses.location},
+                                  {"reading", losses.reading}}
         .dump();
   };
   if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, trainer.stepsInAll(), describe))

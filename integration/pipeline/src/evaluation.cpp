@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "conceptplan/domain/simulation/judgement.hpp"
 #include "conceptplan/fcl/fcl_validity.hpp"
@@ -12,14 +13,6 @@
 
 namespace conceptplan {
 namespace {
-
-constexpr std::size_t kTop = 5;
-
-/// How one planner fares on one task.
-struct TaskResult {
-  Judgement best;
-  bool top5 = false;
-};
 
 /// The problem of a task's pictures; nothing if the target is hidden in one of them.
 std::optional<SymbolicProblem> readProblem(const TaskDataset& tasks, const Task& task,
@@ -33,17 +26,8 @@ std::optional<SymbolicProblem> readProblem(const TaskDataset& tasks, const Task&
   }
 }
 
-TaskResult judged(const Task& task, const std::vector<Plan>& plans) {
-  TaskResult result;
-  result.best = judge(
-      task, plans.empty() ? std::optional<ActionSequence>() : std::optional(plans.front().actions));
-  for (std::size_t i = 0; i < std::min(kTop, plans.size()); ++i)
-    result.top5 = result.top5 || judge(task, plans[i].actions).succeeded();
-  return result;
-}
-
 EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& planner,
-                    const std::vector<std::vector<TaskResult>>& results, std::size_t column) {
+                    const std::vector<std::vector<Evaluation>>& results, std::size_t column) {
   EvaluationRow row;
   row.planner = planner;
   row.set = setName(tasks.options());
@@ -51,7 +35,7 @@ EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& plan
   double top1 = 0, top5 = 0, efficiency = 0, distance = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (tasks.tasks()[i].level != level) continue;
-    const TaskResult& result = results[i][column];
+    const Evaluation& result = results[i][column];
     ++row.tasks;
     distance += result.best.final_distance;
     top5 += result.top5 ? 1 : 0;
@@ -73,11 +57,9 @@ EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& plan
 }  // namespace
 
 std::string setName(const TaskDatasetOptions& options) {
-  std::string set = options.split == Split::kTrain        ? "train"
-                    : options.split == Split::kValidation ? "validation"
-                                                          : "test";
-  set += options.objects == ObjectSet::kSeen ? "/seen" : "/unseen";
-  set += options.domain == RenderDomain::kStandard ? "/standard" : "/shifted";
+  std::string set(name(options.split));
+  for (const std::string_view part : {name(options.objects), name(options.domain)})
+    set += "/" + std::string(part);
   if (options.combination == Combination::kUnseenTask) set += "/unseen-task";
   return set;
 }
@@ -89,7 +71,7 @@ std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model
   for (const std::string& planner : options.planners) planners.push_back(registry.make(planner));
 
   const std::size_t total = tasks.tasks().size();
-  std::vector<std::vector<TaskResult>> results(total, std::vector<TaskResult>(planners.size()));
+  std::vector<std::vector<Evaluation>> results(total, std::vector<Evaluation>(planners.size()));
   const FclValidity validity;
   std::size_t done = 0;
   std::mutex mutex;
@@ -100,10 +82,10 @@ std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model
     if (problem) graph = compile(model.symbolic(), *problem, validity);
     for (std::size_t p = 0; p < planners.size(); ++p) {
       PlanQuery query;
-      query.top = kTop;
+      query.top = kTopPlans;
       query.seed = options.seed;
       results[i][p] =
-          judged(task, graph ? planners[p]->solve(*graph, query).plans : std::vector<Plan>());
+          evaluationOf(task, graph ? planners[p]->solve(*graph, query).plans : std::vector<Plan>());
     }
     const std::scoped_lock lock(mutex);
     if (options.progress) options.progress(++done, total);

@@ -23,10 +23,6 @@ Point center(const Workbench& workbench, Cell cell) {
   return {kCell * (cell.x + 0.5), kMargin + kCell * (workbench.rows - 1 - cell.y + 0.5)};
 }
 
-std::string attribute(const char* name, double value) {
-  return std::string(" ") + name + "=\"" + decimal(value, 1) + "\"";
-}
-
 std::string text(Point at, const std::string& content, bool quiet = false) {
   return "<text" + std::string(quiet ? " class=\"quiet\"" : "") + attribute("x", at.x) +
          attribute("y", at.y) + ">" + content + "</text>";

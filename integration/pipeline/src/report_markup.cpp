@@ -66,6 +66,14 @@ std::string decimal(double value, int decimals) {
   return {digits.data(), end.ptr};
 }
 
+std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+}
+
+std::string attribute(std::string_view name, double value) {
+  return attribute(name, decimal(value, 1));
+}
+
 std::string percent(double share) {
   if (share > 0 && share < 0.0005) return "&lt; 0.1&nbsp;%";
   return decimal(100 * share, 1) + "&nbsp;%";

@@ -15,6 +15,11 @@ std::string escaped(std::string_view text);
 /// Fixed decimals, always with a point. "not a number" and infinities read so.
 std::string decimal(double value, int decimals);
 
+/// ` name="value"`; the value is escaped.
+std::string attribute(std::string_view name, std::string_view value);
+/// The same with one decimal.
+std::string attribute(std::string_view name, double value);
+
 /// A share as "87.4 %"; what is above 0 but rounds to it reads "< 0.1 %".
 std::string percent(double share);
 

@@ -1,5 +1,6 @@
 #include "conceptplan/pipeline/solve.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -50,15 +51,6 @@ std::size_t mostChanged(const Percept& initial, const Percept& goal) {
   if (best == initial.instances.size())
     throw std::invalid_argument("no object is seen in both pictures");
   return best;
-}
-
-Evaluation evaluationOf(const Task& task, const PlanResult& result) {
-  Evaluation evaluation;
-  evaluation.best = judge(task, result.plans.empty() ? std::optional<ActionSequence>()
-                                                     : std::optional(result.plans.front().actions));
-  for (std::size_t i = 0; i < std::min<std::size_t>(5, result.plans.size()); ++i)
-    evaluation.top5 = evaluation.top5 || judge(task, result.plans[i].actions).succeeded();
-  return evaluation;
 }
 
 /// The motion in steps of 5 mm.
@@ -114,6 +106,15 @@ SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
   return {{Workbench{}, initial.beliefs, at}, goal.beliefs[in_goal]};
 }
 
+Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans) {
+  Evaluation evaluation;
+  evaluation.best = judge(
+      task, plans.empty() ? std::optional<ActionSequence>() : std::optional(plans.front().actions));
+  for (std::size_t i = 0; i < std::min(kTopPlans, plans.size()); ++i)
+    evaluation.top5 = evaluation.top5 || judge(task, plans[i].actions).succeeded();
+  return evaluation;
+}
+
 Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
                        const SolveOptions& options) {
   Solution solution;
@@ -166,7 +167,8 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
 
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
-    if (hasSolution(reference)) solution.evaluation = evaluationOf(reference.task, solution.result);
+    if (hasSolution(reference))
+      solution.evaluation = evaluationOf(reference.task, solution.result.plans);
   }
   solution.times.total_ms = total.lap();
   return solution;

@@ -51,9 +51,7 @@ Shown shown(const DrawnObject& object) {
 /// The place in W at which an object is seen, at the median depth of what is seen of it.
 Eigen::Vector3d placeOf(const std::array<float, 3>& location) {
   constexpr float kMedian = 128;  // level of the depth plane
-  return standardCamera().unproject(
-      {(location[0] + 1.0) * kFrameWidth / 2, (location[1] + 1.0) * kFrameHeight / 2},
-      depthOf(location, kMedian));
+  return standardCamera().unproject(pixelOf(location), depthOf(location, kMedian));
 }
 
 /// The object, and beside it a map of the workbench with its place.

@@ -5,15 +5,9 @@
 namespace conceptplan::figures {
 namespace {
 
+using report::attribute;
+
 std::string number(double value) { return report::decimal(value, 1); }
-
-std::string attribute(std::string_view name, std::string_view value) {
-  return " " + std::string(name) + "=\"" + std::string(value) + "\"";
-}
-
-std::string attribute(std::string_view name, double value) {
-  return attribute(name, number(value));
-}
 
 constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
 

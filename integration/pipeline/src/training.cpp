@@ -26,7 +26,7 @@ Profile paperProfile() {
   Profile profile = cpuProfile();
   profile.name = "paper";
   profile.concepts.encoder = EncoderKind::kFullFrame;
-  profile.concepts.groups = 8;
+  profile.concepts.chains = 8;
   profile.concepts.reconstruction_start = 0;
   profile.concepts.sharpening_steps = 0;
   profile.concepts.decoder_steps = 0;
@@ -48,8 +48,8 @@ Profile smokeProfile() {
   profile.concepts.encoder_steps = 2;
   profile.concepts.sharpening_steps = 1;
   profile.concepts.decoder_steps = 1;
-  profile.concepts.groups = 2;
-  profile.concepts.decoder_groups = 1;
+  profile.concepts.chains = 2;
+  profile.concepts.decoder_chains = 1;
   profile.concepts.reconstructed_pairs = 2;
   profile.vict.transition_steps = 4;
   profile.vict.transition_batch = 8;

@@ -30,13 +30,13 @@ FirstFrame othersOf(const ObservedFrame& frame, std::size_t target, const Symbol
 
 SequenceFrame sequenceFrame(const RgbdImage& image, const ObservedFrame& observed,
                             std::size_t target) {
-  const auto& location = observed.inputs[target].location;
+  const Eigen::Vector2d centre = pixelOf(observed.inputs[target].location);
   const std::uint8_t instance = observed.instances[target];
   return {image.rgb,
           holeOf(image.mask, image.width, image.height, instance),
           othersDepth_mm(image, instance),
-          (location[0] + 1.0) * (kFrameWidth / 2.0),
-          (location[1] + 1.0) * (kFrameHeight / 2.0),
+          centre.x(),
+          centre.y(),
           observed.tokens[target]};
 }
 

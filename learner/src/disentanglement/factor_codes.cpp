@@ -1,9 +1,10 @@
 #include "conceptplan/learner/disentanglement/factor_codes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include "conceptplan/learner/disentanglement/principal_axes.hpp"
 
 namespace conceptplan {
 namespace {
@@ -25,11 +26,7 @@ Eigen::MatrixXd columnsOf(const FactorCodes& data, int token) {
 Eigen::VectorXd firstPrincipalCoordinate(Eigen::MatrixXd points) {
   if (points.cols() == 1) return points.col(0);
   points.rowwise() -= points.colwise().mean().eval();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(points.transpose() * points);
-  const Eigen::VectorXd direction = solver.eigenvectors().rightCols<1>();
-  Eigen::Index largest = 0;
-  direction.cwiseAbs().maxCoeff(&largest);
-  return points * (direction[largest] < 0 ? (-direction).eval() : direction);
+  return points * principalAxes(points, 1).axes;
 }
 
 }  // namespace

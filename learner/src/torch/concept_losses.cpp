@@ -4,7 +4,7 @@
 
 namespace conceptplan {
 namespace {
-constexpr double kLeastProbability = 1e-5;
+constexpr double kLeastProbability = 1e-6;
 }
 
 torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
@@ -23,19 +23,19 @@ torch::Tensor conceptDisentanglingLoss(const torch::Tensor& first, const torch::
   return torch::cross_entropy_loss(distances, differing);
 }
 
-torch::Tensor pairLikelihoodLoss(const torch::Tensor& values, const torch::Tensor& odd,
-                                 std::int64_t odd_image) {
-  const auto same = torch::matmul(values, values.transpose(1, 2))
-                        .clamp(kLeastProbability, 1 - kLeastProbability);  // [G, 7, 7]
-  const std::int64_t images = values.size(1);
-  auto above = torch::ones({images, images}).triu(1);
-  auto involves_odd = torch::zeros({images, images});
-  involves_odd.select(0, odd_image).fill_(1);
-  involves_odd.select(1, odd_image).fill_(1);
-  const auto differ = odd.to(torch::kFloat).view({-1, 1, 1}) * involves_odd * above;  // [G, 7, 7]
+torch::Tensor pairLikelihoodLoss(const torch::Tensor& log_values, const torch::Tensor& changed) {
+  // log p_a(v) + log p_b(v), [G, N, N, C]. In logarithms, so that a pair that is wrong beyond doubt
+  // still has a gradient.
+  const auto first = log_values.unsqueeze(2), second = log_values.unsqueeze(1);
+  const auto other = torch::log(-torch::expm1(second.clamp_max(-kLeastProbability)));
+  const auto log_same = torch::logsumexp(first + second, -1);
+  const auto log_different = torch::logsumexp(first + other, -1);
+  const std::int64_t images = log_values.size(1);
+  const auto above = torch::ones({images, images}).triu(1);
+  const auto differ = changed.unsqueeze(2).logical_xor(changed.unsqueeze(1)) * above;  // [G, N, N]
   const auto agree = above - differ;
-  return -(agree * same.log()).sum() / agree.sum() -
-         (differ * (1 - same).log()).sum() / differ.sum().clamp_min(1);
+  return -(agree * log_same).sum() / agree.sum() -
+         (differ * log_different).sum() / differ.sum().clamp_min(1);
 }
 
 torch::Tensor prototypeUseLoss(const torch::Tensor& values) {

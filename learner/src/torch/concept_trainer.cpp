@@ -12,69 +12,104 @@
 namespace conceptplan {
 namespace {
 
-constexpr std::int64_t kGroupImages = 1 + static_cast<std::int64_t>(kNumConcepts);
+constexpr std::int64_t kChainImages = 1 + static_cast<std::int64_t>(kNumConcepts);
+
+/// A prototype with less than this share of an even use is dead.
+constexpr double kDeadShare = 0.2;
+/// Batches that are read to see which prototypes are dead.
+constexpr std::int64_t kUseBatches = 4;
 
 constexpr AugmentationOptions kNoAugmentation{0, 0, 0, 0, 0, 0, 0};
 
-/// One batch of anchor groups.
-struct AnchorBatch {
-  EncoderBatch images;    // G * 7
-  torch::Tensor differs;  // [G, 6]: whether partner k differs in concept k
-  torch::Tensor pairs;    // [P, 2]: group and concept of each partner that differs
+/// One batch of chains.
+struct ChainBatch {
+  EncoderBatch images;                     // G * 7
+  torch::Tensor first, second, differing;  // [P]: images of each of the paper's pairs, and concept
+  std::vector<torch::Tensor> changed;      // of each concept, [G, 7]: whether it has changed
 };
 
-AnchorBatch drawBatch(const ConceptImages& images, const AnchorSampler& sampler,
-                      std::int64_t groups, const AugmentationOptions& augmentation,
-                      std::mt19937_64& generator) {
-  auto differs = torch::empty({groups, static_cast<std::int64_t>(kNumConcepts)}, torch::kBool);
-  auto* differ = differs.data_ptr<bool>();
+ChainBatch drawBatch(const ConceptImages& images, const ChainSampler& sampler, std::int64_t chains,
+                     const AugmentationOptions& augmentation, std::mt19937_64& generator) {
   std::vector<EncoderInput> inputs;
-  for (std::int64_t g = 0; g < groups; ++g) {
-    const AnchorGroup group = sampler.draw(generator);
-    differ = std::copy(group.differs.begin(), group.differs.end(), differ);
-    for (const std::size_t image : group.images) {
+  std::vector<std::int64_t> first, second, differing;
+  auto changed =
+      torch::zeros({static_cast<std::int64_t>(kNumConcepts), chains, kChainImages}, torch::kBool);
+  for (std::int64_t c = 0; c < chains; ++c) {
+    const ConceptChain chain = sampler.draw(generator);
+    for (const std::size_t image : chain.images) {
       const std::size_t occluder = generator() % images.size();
       inputs.push_back(augmented(images.planes(image), images.location(image),
                                  images.planes(occluder), augmentation, generator));
     }
+    for (std::size_t link = 0; link < kNumConcepts; ++link) {
+      if (!chain.differs[link]) continue;
+      const auto which = static_cast<std::int64_t>(chain.concepts[link]);
+      const auto next = static_cast<std::int64_t>(1 + link);
+      changed[which][c].slice(0, next).fill_(true);
+      second.push_back(c * kChainImages + next);
+      first.push_back(second.back() - 1);
+      differing.push_back(which);
+    }
   }
-  return {encoderBatch(inputs), differs, differs.nonzero()};
+  return {encoderBatch(inputs), torch::tensor(first), torch::tensor(second),
+          torch::tensor(differing), changed.unbind()};
+}
+
+/// Mean squared error of the tokens that drawn objects are read as, against those they were drawn
+/// from. tokens [B, 6, 64], location [B, 3].
+torch::Tensor readingLoss(ConceptNetwork& network, const DecodedObject& drawn,
+                          const torch::Tensor& location, const torch::Tensor& tokens) {
+  // The mask is cut as in a drawn frame; its gradient is that of the uncut one.
+  const auto soft = torch::sigmoid(drawn.mask_logits);
+  const auto mask = soft + ((soft > 0.5).to(torch::kFloat) - soft).detach();
+  const auto planes = torch::cat({drawn.rgb * mask, drawn.depth * mask, mask}, 1);
+  return torch::mse_loss(network->tokenize(network->encode(planes), location), tokens);
+}
+
+/// Whether a parameter serves to draw objects, not to read them.
+bool draws(const std::string& name) {
+  return name.starts_with("detokenizer") || name.starts_with("decoder") ||
+         name.starts_with("locator");
 }
 
 /// The terms of Eq. (3) that the decoder learns from, on some pairs of a batch: the
-/// anchor from its own tokens, the partner from the anchor's tokens with one substituted, Eq. (1),
-/// and the direct branch from the anchor's latent embedding. @returns their weighted sum.
-torch::Tensor drawingLoss(ConceptNetwork& network, const AnchorBatch& batch,
+/// first from its own tokens, the second from the first's tokens with one substituted, Eq. (1), and
+/// the direct branch from the first's latent embedding. With a reading weight the drawn objects are
+/// read again, too. @returns their weighted sum.
+torch::Tensor drawingLoss(ConceptNetwork& network, const ChainBatch& batch,
                           const torch::Tensor& planes, const torch::Tensor& z,
                           const torch::Tensor& tokens, const ConceptTrainingOptions& options,
-                          std::mt19937_64& generator, ConceptLosses& losses) {
-  if (batch.pairs.size(0) == 0) return torch::zeros({});
-  std::vector<std::int64_t> order(static_cast<std::size_t>(batch.pairs.size(0)));
+                          double reading_weight, std::mt19937_64& generator,
+                          ConceptLosses& losses) {
+  if (batch.first.size(0) == 0) return torch::zeros({});
+  std::vector<std::int64_t> order(static_cast<std::size_t>(batch.first.size(0)));
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), generator);
-  const auto drawn_pairs =
-      batch.pairs.index({torch::tensor(order).slice(0, 0, options.reconstructed_pairs)});
-  const auto first = drawn_pairs.select(1, 0) * kGroupImages;
-  const auto second = first + drawn_pairs.select(1, 1) + 1;
+  const auto drawn_pairs = torch::tensor(order).slice(0, 0, options.reconstructed_pairs);
+  const auto first = batch.first.index({drawn_pairs}), second = batch.second.index({drawn_pairs});
   const auto one_hot =
-      torch::one_hot(drawn_pairs.select(1, 1), static_cast<std::int64_t>(kNumConcepts))
+      torch::one_hot(batch.differing.index({drawn_pairs}), static_cast<std::int64_t>(kNumConcepts))
           .to(torch::kBool)
           .unsqueeze(-1);
   const auto substituted = torch::where(one_hot, tokens.index({second}), tokens.index({first}));
   const auto both = torch::cat({tokens.index({first}), substituted});
   const auto targets = torch::cat({first, second});
   const auto truth = planes.index({targets});
-  const auto reconstruction = 2 * reconstructionLoss(network->decode(network->detokenize(both)),
-                                                     truth, options.foreground_weight);
+  const DecodedObject drawn = network->decode(network->detokenize(both));
+  const auto reconstruction = 2 * reconstructionLoss(drawn, truth, options.foreground_weight);
   const auto direct =
       reconstructionLoss(network->decode(z.index({first})), truth.slice(0, 0, first.size(0)),
                          options.foreground_weight);
-  const auto location =
-      torch::smooth_l1_loss(network->locate(both), batch.images.location.index({targets}), 1, 0.05);
+  const auto location = batch.images.location.index({targets});
+  const auto misplacement = torch::smooth_l1_loss(network->locate(both), location, 1, 0.05);
   losses.reconstruction = reconstruction.item<double>();
   losses.direct = direct.item<double>();
-  losses.location = location.item<double>();
-  return options.reconstruction_weight * (reconstruction + direct) + location;
+  losses.location = misplacement.item<double>();
+  const auto total = options.reconstruction_weight * (reconstruction + direct) + misplacement;
+  if (reading_weight == 0) return total;
+  const auto reading = readingLoss(network, drawn, location, both);
+  losses.reading = reading.item<double>();
+  return total + reading_weight * reading;
 }
 
 /// A fresh network whose weights depend on the seed alone.
@@ -121,6 +156,10 @@ ConceptLosses ConceptTrainer::step() {
   };
   const std::int64_t sharpening_from = options_.encoder_steps;
   const std::int64_t decoder_from = sharpening_from + options_.sharpening_steps;
+  const std::int64_t settled_from = decoder_from - options_.revival_interval;
+  if (options_.pair_weight > 0 && steps_done_ > 0 && steps_done_ < settled_from &&
+      steps_done_ % options_.revival_interval == 0)
+    revivePrototypes(generator);
   // The third phase draws from the tokens of the network that is kept.
   if (steps_done_ == decoder_from) copyParameters(*network_, *average_);
   const ConceptLosses losses =
@@ -135,26 +174,23 @@ ConceptLosses ConceptTrainer::step() {
 
 ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progress,
                                         bool sharpening) {
-  const AnchorBatch batch =
-      drawBatch(images_, sampler_, options_.groups, options_.augmentation, generator);
+  const ChainBatch batch =
+      drawBatch(images_, sampler_, options_.chains, options_.augmentation, generator);
   const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
   const auto z = network_->encode(planes);
   const auto tokens = network_->tokenize(z, batch.images.location);
-  const auto groups = tokens.view({options_.groups, kGroupImages, kNumConcepts, kTokenWidth});
 
   ConceptLosses losses;
-  // Eq. (2) on each anchor and its partners that differ from it.
-  const auto group = batch.pairs.select(1, 0), differing = batch.pairs.select(1, 1);
   const auto disentangling = conceptDisentanglingLoss(
-      groups.index({group, 0}), groups.index({group, differing + 1}), differing.contiguous());
+      tokens.index({batch.first}), tokens.index({batch.second}), batch.differing);
   auto pair = torch::zeros({});
   auto use = torch::zeros({});
   auto confidence = torch::zeros({});
   for (const Concept which : kConcepts) {
-    const auto values = torch::softmax(network_->prototypeLogits(tokens, which), -1);
-    const auto k = static_cast<std::int64_t>(index(which));
-    pair = pair + pairLikelihoodLoss(values.view({options_.groups, kGroupImages, -1}),
-                                     batch.differs.select(1, k), 1 + k);
+    const auto log_values = torch::log_softmax(network_->prototypeLogits(tokens, which), -1);
+    const auto values = log_values.exp();
+    pair = pair + pairLikelihoodLoss(log_values.view({options_.chains, kChainImages, -1}),
+                                     batch.changed[index(which)]);
     use = use + prototypeUseLoss(values);
     confidence = confidence + prototypeEntropy(values);
   }
@@ -166,23 +202,46 @@ ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progr
                options_.use_weight * use;
   if (sharpening) total = total + options_.confidence_weight * confidence;
   if (!sharpening && progress >= options_.reconstruction_start)
-    total = total + drawingLoss(network_, batch, planes, z, tokens, options_, generator, losses);
+    total = total + drawingLoss(network_, batch, planes, z, tokens, options_, 0, generator, losses);
   descend(total, progress);
   return losses;
 }
 
-ConceptLosses ConceptTrainer::decoderStep(std::mt19937_64& generator, double progress) {
-  const AnchorBatch batch =
-      drawBatch(images_, sampler_, options_.decoder_groups, kNoAugmentation, generator);
+void ConceptTrainer::revivePrototypes(std::mt19937_64& generator) {
+  const torch::NoGradGuard no_gradient;
+  const ChainBatch batch =
+      drawBatch(images_, sampler_, kUseBatches * options_.chains, options_.augmentation, generator);
   const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
-  torch::Tensor z, tokens;
-  {
-    const torch::NoGradGuard fixed;
-    z = network_->encode(planes);
-    tokens = network_->tokenize(z, batch.images.location);
+  const auto tokens = network_->tokenize(network_->encode(planes), batch.images.location);
+  torch::manual_seed(generator());
+  for (const Concept which : kConcepts) {
+    const auto prototypes = network_->prototypes(which);
+    auto use = torch::softmax(network_->prototypeLogits(tokens, which), -1).mean(0);
+    const double least = kDeadShare / static_cast<double>(use.size(0));
+    for (std::int64_t k = 0; k < use.size(0); ++k) {
+      if (use[k].item<double>() >= least) continue;
+      const auto busiest = use.argmax().item<std::int64_t>();
+      const auto copied = torch::nn::functional::normalize(
+          prototypes[busiest], torch::nn::functional::NormalizeFuncOptions().dim(0));
+      prototypes[busiest].copy_(copied);
+      prototypes[k].copy_(copied + 0.02 * torch::randn_like(copied));
+      use[busiest] /= 2;
+      use[k] = use[busiest];
+    }
   }
+}
+
+ConceptLosses ConceptTrainer::decoderStep(std::mt19937_64& generator, double progress) {
+  for (auto& parameter : network_->named_parameters())
+    if (!draws(parameter.key())) parameter.value().set_requires_grad(false);
+  const ChainBatch batch =
+      drawBatch(images_, sampler_, options_.decoder_chains, kNoAugmentation, generator);
+  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
+  const auto z = network_->encode(planes);
+  const auto tokens = network_->tokenize(z, batch.images.location);
   ConceptLosses losses;
-  const auto total = drawingLoss(network_, batch, planes, z, tokens, options_, generator, losses);
+  const auto total = drawingLoss(network_, batch, planes, z, tokens, options_,
+                                 options_.reading_weight, generator, losses);
   descend(total, progress);
   return losses;
 }

@@ -12,8 +12,10 @@ constexpr std::int64_t kEdge = EncoderInput::kEdge;
 /// frame [c, 256, 384], crop [c, 64, 64], location [3].
 void copyCrop(torch::Tensor frame, torch::Tensor crop, const torch::Tensor& location,
               bool into_frame) {
-  const auto left = std::lround((location[0].item<float>() + 1) * (kFrameWidth / 2.0)) - kEdge / 2;
-  const auto top = std::lround((location[1].item<float>() + 1) * (kFrameHeight / 2.0)) - kEdge / 2;
+  const Eigen::Vector2d centre =
+      pixelOf({location[0].item<float>(), location[1].item<float>(), location[2].item<float>()});
+  const auto left = std::lround(centre.x()) - kEdge / 2;
+  const auto top = std::lround(centre.y()) - kEdge / 2;
   const std::int64_t x0 = std::clamp<std::int64_t>(left, 0, kFrameWidth);
   const std::int64_t y0 = std::clamp<std::int64_t>(top, 0, kFrameHeight);
   const std::int64_t x1 = std::clamp<std::int64_t>(left + kEdge, 0, kFrameWidth);

@@ -33,22 +33,34 @@ TEST(ConceptDisentanglingLoss, Eq2IsTheCrossEntropyOfTokenDistances) {
 }
 
 TEST(PairLikelihoodLoss, IsZeroForRightOneHotValuesAndLargeForMergedOnes) {
-  auto right = torch::zeros({2, 7, 3});
-  right.select(2, 0).fill_(1);
-  auto merged = right.clone();
-  right[0][4][0] = 0;  // image 4 of group 0 shows another value
-  right[0][4][1] = 1;
-  const auto odd = torch::tensor({true, false});
-  EXPECT_NEAR(pairLikelihoodLoss(right, odd, 4).item<double>(), 0, 1e-3);
-  EXPECT_GT(pairLikelihoodLoss(merged, odd, 4).item<double>(), 5);
+  auto right = torch::full({2, 7, 3}, -20.0);
+  right.select(2, 0).fill_(0);
+  const auto merged = right.clone();
+  auto changed = torch::zeros({2, 7}, torch::kBool);
+  for (int image = 4; image < 7; ++image) {  // of group 0 show another value
+    changed[0][image] = true;
+    right[0][image][0] = -20;
+    right[0][image][1] = 0;
+  }
+  EXPECT_NEAR(pairLikelihoodLoss(right, changed).item<double>(), 0, 1e-3);
+  EXPECT_GT(pairLikelihoodLoss(merged, changed).item<double>(), 5);
 }
 
 TEST(PairLikelihoodLoss, AveragesPairsThatAgreeAndPairsThatDifferApart) {
-  const auto even = torch::full({1, 7, 2}, 0.5);
-  EXPECT_NEAR(pairLikelihoodLoss(even, torch::tensor({true}), 1).item<double>(), 2 * std::log(2.0),
-              1e-4);
-  EXPECT_NEAR(pairLikelihoodLoss(even, torch::tensor({false}), 1).item<double>(), std::log(2.0),
-              1e-4);
+  const auto even = torch::full({1, 7, 2}, -std::log(2.0));
+  auto changed = torch::zeros({1, 7}, torch::kBool);
+  EXPECT_NEAR(pairLikelihoodLoss(even, changed).item<double>(), std::log(2.0), 1e-4);
+  changed[0][6] = true;
+  EXPECT_NEAR(pairLikelihoodLoss(even, changed).item<double>(), 2 * std::log(2.0), 1e-4);
+}
+
+// With a gradient that fades, images that are sure of the wrong prototype would stay.
+TEST(PairLikelihoodLoss, PullsHardAtImagesThatAreSureAndWrong) {
+  const auto changed = torch::tensor({{false, false, true}});
+  auto logits = torch::tensor({{{12.0, 0.0}, {-12.0, 0.0}, {12.0, 0.0}}}, torch::requires_grad());
+  pairLikelihoodLoss(torch::log_softmax(logits, -1), changed).backward();
+  EXPECT_LT(logits.grad()[0][1][0].item<double>(), -0.2);  // towards the image it agrees with
+  EXPECT_GT(logits.grad()[0][2][0].item<double>(), 0.2);   // away from the one it differs from
 }
 
 TEST(PrototypeUseLoss, IsZeroForEvenUseAndLogNForOnePrototype) {

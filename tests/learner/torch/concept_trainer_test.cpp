@@ -22,8 +22,8 @@ ConceptTrainingOptions smallOptions() {
   options.encoder_steps = 60;
   options.sharpening_steps = 0;
   options.decoder_steps = 0;
-  options.groups = 2;
-  options.decoder_groups = 1;
+  options.chains = 2;
+  options.decoder_chains = 1;
   options.reconstructed_pairs = 2;
   options.reconstruction_start = 0.5;
   options.augmentation = {0, 0, 0, 0, 0, 0, 0};
@@ -34,6 +34,7 @@ TEST(ConceptTrainer, Eq3FallsOnOneBatch) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
   options.reconstruction_start = 0;
+  options.use_weight = 0;  // four of the concepts have but one value here
   ConceptTrainer trainer(images, options);
   const auto total = [&](const ConceptLosses& losses) {
     return losses.disentangling + losses.pair + 10 * (losses.reconstruction + losses.direct);
@@ -108,7 +109,7 @@ TEST(ConceptTrainer, Eq3FallsOnOneBatchWithThePapersNetworksAndLossesAlone) {
   ConceptTrainingOptions options = smallOptions();
   options.encoder = EncoderKind::kFullFrame;
   options.encoder_steps = 12;
-  options.groups = 1;
+  options.chains = 1;
   options.reconstruction_start = 0;
   options.pair_weight = options.use_weight = options.confidence_weight = 0;
   ConceptTrainer trainer(images, options);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,9 @@ struct EncoderInput {
   /// the object in units of 0.5 m from 2 m.
   std::array<float, 3> location{};
 };
+
+/// Column and row of the frame at which the crop's centre lies, in pixels.
+Eigen::Vector2d pixelOf(const std::array<float, 3>& location);
 
 /// Metres along the camera's axis of a level of the depth plane, 0 to 255, at that location.
 float depthOf(const std::array<float, 3>& location, float level);

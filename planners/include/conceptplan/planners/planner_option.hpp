@@ -21,6 +21,16 @@ struct PlannerOption {
   std::vector<std::string> choices;  ///< for kChoice
   std::string summary;
 
+  /// A number in [least, most].
+  static PlannerOption number(std::string name, std::string standard, double least, double most,
+                              std::string summary);
+  /// An integer in [least, most].
+  static PlannerOption integer(std::string name, std::string standard, double least, double most,
+                               std::string summary);
+  /// One of the choices, which are at least one; the first if none is given.
+  static PlannerOption choice(std::string name, std::vector<std::string> choices,
+                              std::string summary);
+
   /// "number", "integer" or "choice".
   std::string typeName() const;
   /// "[0, 1]" or "soft | hard".

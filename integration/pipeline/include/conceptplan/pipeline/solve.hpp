@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,7 +21,10 @@ struct SolveOptions {
   SearchLimits limits;
 };
 
-/// How the plans fare in the simulator, where a scenario has a reference with a solution.
+/// How many plans the top-5 measures look at.
+inline constexpr std::size_t kTopPlans = 5;
+
+/// How the plans fare in the simulator.
 struct Evaluation {
   Judgement best;     ///< of the first plan
   bool top5 = false;  ///< whether one of the first five succeeds
@@ -44,7 +48,7 @@ struct Solution {
   PlanResult result;
   std::optional<RefinementResult> refinement;  ///< of the best plan, if the scenario asks for one
   std::vector<RgbdImage> frames;  ///< as `Model::render`, of the best plan; empty if not rendered
-  std::optional<Evaluation> evaluation;
+  std::optional<Evaluation> evaluation;  ///< if there is a reference with a solution
   StageTimes times;
 };
 
@@ -54,6 +58,9 @@ struct Solution {
 /// hidden.
 Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
                        const SolveOptions& options = {});
+
+/// Judges plans, the best first, on the task that they are to solve.
+Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans);
 
 /// The problem that two pictures pose, as the model reads them. `target` is an instance id; without
 /// one it is the object whose symbols differ most between the pictures.

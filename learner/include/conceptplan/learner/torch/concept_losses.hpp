@@ -20,12 +20,13 @@ torch::Tensor conceptDisentanglingLoss(const torch::Tensor& first, const torch::
 
 /// Negative log likelihood that two images of a group show the same value of a concept, or
 /// different ones, each pair kind averaged apart.
-/// values [G, 7, n]: distribution over prototypes of each image; odd [G]: whether image `odd_image`
-/// differs from the six others in this concept -> scalar.
+/// log_values [G, N, n]: logarithm of each image's distribution over prototypes; changed [G, N]:
+/// the side of each image, 0 or 1. Images of one side show the same value, those of two sides
+/// differ
+/// -> scalar.
 /// Source: meta classification likelihood, Hsu et al., ICLR 2019 (arXiv 1901.00544), on the
 /// paper's pairs.
-torch::Tensor pairLikelihoodLoss(const torch::Tensor& values, const torch::Tensor& odd,
-                                 std::int64_t odd_image);
+torch::Tensor pairLikelihoodLoss(const torch::Tensor& log_values, const torch::Tensor& changed);
 
 /// How far the prototypes' mean use is from uniform: log(n) minus its entropy, 0 at best.
 /// values [B, n] -> scalar.

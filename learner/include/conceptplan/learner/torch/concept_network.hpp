@@ -50,6 +50,9 @@ class ConceptNetworkImpl : public torch::nn::Module {
   /// Logits of each token for the prototypes of a concept. tokens [B, 6, 64] -> [B, values].
   torch::Tensor prototypeLogits(const torch::Tensor& tokens, Concept which) const;
 
+  /// [values, 64]
+  const torch::Tensor& prototypes(Concept which) const { return prototypes_[index(which)]; }
+
   EncoderKind encoderKind() const { return encoder_kind_; }
 
  private:

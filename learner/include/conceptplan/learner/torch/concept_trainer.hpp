@@ -9,8 +9,8 @@
 
 #include "conceptplan/learner/tensor_file.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
-#include "conceptplan/learner/training/anchor_sampler.hpp"
 #include "conceptplan/learner/training/augmentation.hpp"
+#include "conceptplan/learner/training/chain_sampler.hpp"
 #include "conceptplan/learner/training/concept_images.hpp"
 
 namespace conceptplan {
@@ -20,8 +20,8 @@ struct ConceptTrainingOptions {
   std::int64_t encoder_steps = 2700;    ///< first phase: tokens, and from some step on the decoder
   std::int64_t sharpening_steps = 700;  ///< second phase: tokens become certain; no decoder
   std::int64_t decoder_steps = 1500;    ///< third phase: the decoder learns, the rest is fixed
-  std::int64_t groups = 24;             ///< anchor groups a step, seven images each
-  std::int64_t decoder_groups = 6;      ///< the same in the third phase
+  std::int64_t chains = 24;             ///< chains a step, seven images each
+  std::int64_t decoder_chains = 6;      ///< the same in the third phase
   double learning_rate = 1.5e-3;        ///< of AdamW, at the peak of a phase; cosine to a fiftieth
   double tokenizer_rate_share = 1;      ///< of the rate, for concept tokenizer and detokenizer
   double warm_up = 0.03;                ///< share of a phase in which the rate rises
@@ -32,10 +32,13 @@ struct ConceptTrainingOptions {
   double foreground_weight = 10;
   double disentangling_weight = 1;    ///< of Eq. (2)
   double pair_weight = 1;             ///< of the pair likelihood
-  double use_weight = 0.5;            ///< of the prototypes' even use
+  double use_weight = 2.5;            ///< of the prototypes' even use
   double confidence_weight = 0.6;     ///< of the entropy of single images, in the second phase
   double reconstruction_weight = 10;  ///< of Eq. (1) and of the direct branch
-  double averaging = 0.998;           ///< decay of the weights' moving average
+  /// Steps between two looks for prototypes that no picture uses, in the first two phases.
+  std::int64_t revival_interval = 100;
+  double reading_weight = 0.3;  ///< of drawn objects read again, in the third phase
+  double averaging = 0.998;     ///< decay of the weights' moving average
   AugmentationOptions augmentation;
   std::uint64_t seed = 0;
 };
@@ -49,9 +52,10 @@ struct ConceptLosses {
   double reconstruction = 0;  ///< Eq. (1)
   double direct = 0;          ///< direct branch of Eq. (3)
   double location = 0;
+  double reading = 0;  ///< mean squared error of tokens, drawn and read again
 };
 
-/// Trains the concept network on anchor groups: Eq. (3) of arXiv 2310.03325, with the pair
+/// Trains the concept network on chains of pairs: Eq. (3) of arXiv 2310.03325, with the pair
 /// likelihood on prototypes beside it, in three phases. Each step draws from a generator of its
 /// own, so that a resumed run takes the same steps.
 class ConceptTrainer {
@@ -81,11 +85,15 @@ class ConceptTrainer {
   /// `progress` is the point of a phase, in 0..1.
   ConceptLosses tokenStep(std::mt19937_64& generator, double progress, bool sharpening);
   ConceptLosses decoderStep(std::mt19937_64& generator, double progress);
+  /// Gives each prototype that is hardly used a place beside the one that is used most: there, two
+  /// values share one, and a softmax passes hardly a gradient to a prototype out of reach.
+  /// Source: the random restarts of Sec. 3.1 of Jukebox, arXiv 2005.00341.
+  void revivePrototypes(std::mt19937_64& generator);
   void descend(const torch::Tensor& loss, double progress);
 
   const ConceptImages& images_;
   ConceptTrainingOptions options_;
-  AnchorSampler sampler_;
+  ChainSampler sampler_;
   ConceptNetwork network_;
   ConceptNetwork average_;
   torch::optim::AdamW optimizer_;

@@ -1,4 +1,4 @@
-#include "conceptplan/learner/training/anchor_sampler.hpp"
+#include "conceptplan/learner/training/chain_sampler.hpp"
 
 #include <gmock/gmock.h>
 
@@ -14,30 +14,30 @@ ConceptImages imagesOf(const std::vector<ConceptValues>& values) {
   return images;
 }
 
-TEST(AnchorSampler, PartnerKDiffersInConceptKAlone) {
+TEST(ChainSampler, EachLinkDiffersFromTheOneBeforeInItsConceptAlone) {
   std::vector<ConceptValues> all;
   for (std::uint8_t a = 0; a < 2; ++a)
     for (std::uint8_t b = 0; b < 2; ++b)
       for (std::uint8_t c = 0; c < 3; ++c) all.push_back({a, 0, b, c, 0, 0});
   const ConceptImages images = imagesOf(all);
-  const AnchorSampler sampler(images);
+  const ChainSampler sampler(images);
   std::mt19937_64 generator(1);
   for (int draw = 0; draw < 200; ++draw) {
-    const AnchorGroup group = sampler.draw(generator);
-    const ConceptValues& anchor = images.values(group.images[0]);
-    for (std::size_t k = 0; k < kNumConcepts; ++k) {
-      const ConceptValues& partner = images.values(group.images[1 + k]);
+    const ConceptChain chain = sampler.draw(generator);
+    EXPECT_THAT(chain.concepts, testing::UnorderedElementsAre(0, 1, 2, 3, 4, 5));
+    for (std::size_t link = 0; link < kNumConcepts; ++link) {
+      const std::size_t which = chain.concepts[link];
+      EXPECT_EQ(chain.differs[link], which == 0 || which == 2 || which == 3);
+      const ConceptValues& before = images.values(chain.images[link]);
+      const ConceptValues& after = images.values(chain.images[1 + link]);
       for (std::size_t j = 0; j < kNumConcepts; ++j)
-        EXPECT_EQ(partner[j] != anchor[j], j == k && group.differs[k]);
+        EXPECT_EQ(after[j] != before[j], j == which && chain.differs[link]);
     }
-    EXPECT_TRUE(group.differs[0]);
-    EXPECT_FALSE(group.differs[1]);
-    EXPECT_TRUE(group.differs[3]);
   }
 }
 
-TEST(AnchorSampler, RefusesAnEmptySet) {
-  EXPECT_THROW(AnchorSampler(ConceptImages{}), std::invalid_argument);
+TEST(ChainSampler, RefusesAnEmptySet) {
+  EXPECT_THROW(ChainSampler(ConceptImages{}), std::invalid_argument);
 }
 
 TEST(ConceptValues, AreThoseOfTheObject) {
