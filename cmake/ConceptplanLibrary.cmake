@@ -37,7 +37,7 @@ function(conceptplan_compile_options target)
   endif()
   if(CONCEPTPLAN_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${CONCEPTPLAN_SANITIZE}
-                                             -fno-omit-frame-pointer)
+                                             -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${CONCEPTPLAN_SANITIZE})
   endif()
 endfunction()

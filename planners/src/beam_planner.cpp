@@ -4,8 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "conceptplan/planners/path_planning.hpp"
 #include "option_range.hpp"
-#include "path_planning.hpp"
+#include "path_tree.hpp"
 #include "projection_heuristic.hpp"
 
 namespace conceptplan {

@@ -6,9 +6,9 @@
 
 #include "belief_search.hpp"
 #include "conceptplan/planners/belief_update.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 #include "legality_trace.hpp"
 #include "option_range.hpp"
-#include "search_guard.hpp"
 
 namespace conceptplan {
 namespace {

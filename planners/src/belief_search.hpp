@@ -5,7 +5,7 @@
 
 #include "conceptplan/planners/belief_planner.hpp"
 #include "conceptplan/planners/belief_update.hpp"
-#include "search_guard.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 
 namespace conceptplan {
 

@@ -1,7 +1,7 @@
 #include "conceptplan/planners/best_first_planner.hpp"
 
+#include "conceptplan/planners/path_planning.hpp"
 #include "option_range.hpp"
-#include "path_planning.hpp"
 #include "path_search.hpp"
 #include "projection_heuristic.hpp"
 

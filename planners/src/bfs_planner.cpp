@@ -1,7 +1,7 @@
 #include "conceptplan/planners/bfs_planner.hpp"
 
+#include "conceptplan/planners/path_planning.hpp"
 #include "option_range.hpp"
-#include "path_planning.hpp"
 #include "path_search.hpp"
 
 namespace conceptplan {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "path_planning.hpp"
+#include "conceptplan/planners/path_planning.hpp"
 
 namespace conceptplan {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "conceptplan/planners/path_planning.hpp"
 #include "option_range.hpp"
-#include "path_planning.hpp"
 #include "projection_heuristic.hpp"
 
 namespace conceptplan {

@@ -1,4 +1,4 @@
-#include "path_planning.hpp"
+#include "conceptplan/planners/path_planning.hpp"
 
 #include <string>
 

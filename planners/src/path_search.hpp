@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "conceptplan/planners/search_guard.hpp"
 #include "path_tree.hpp"
-#include "search_guard.hpp"
 
 namespace conceptplan {
 

@@ -7,13 +7,6 @@
 
 namespace conceptplan {
 
-/// An action sequence with the states that it passes.
-struct StatePath {
-  ActionSequence actions;
-  std::vector<StateId> states;  ///< after each action
-  PathCost cost = 0;
-};
-
 /// Action sequences that share their beginnings.
 class PathTree {
  public:

@@ -1,4 +1,4 @@
-#include "search_guard.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 
 #include <algorithm>
 

@@ -4,10 +4,6 @@
 
 namespace conceptplan {
 
-PathCost toPathCost(double nats) { return std::llround(nats * static_cast<double>(kNat)); }
-
-double toNats(PathCost cost) { return static_cast<double>(cost) / static_cast<double>(kNat); }
-
 SuccessorFunction likelySuccessors(const SymbolGraph& graph, double legality_threshold,
                                    std::function<PathCost(const Transition&)> cost) {
   return [&graph, legality_threshold, cost = std::move(cost)](StateId state,

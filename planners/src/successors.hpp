@@ -1,23 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <vector>
 
-#include "conceptplan/planners/symbol_graph.hpp"
+#include "conceptplan/planners/state_path.hpp"
 
 namespace conceptplan {
 
-/// Costs of paths, counted in billionths of a nat: sums are exact, so equal ones are equal whatever
-/// the order of their terms.
-using PathCost = std::int64_t;
-
-inline constexpr PathCost kNat = 1'000'000'000;
+/// Where no path leads.
 inline constexpr PathCost kOutOfReach = std::numeric_limits<PathCost>::max();
-
-PathCost toPathCost(double nats);
-double toNats(PathCost cost);
 
 /// One way out of a state.
 struct Successor {

@@ -123,6 +123,29 @@ TEST_P(PlannerContract, ThreadsMayShareOne) {
   for (auto& result : results) EXPECT_EQ(result.get(), alone);
 }
 
+TEST_P(PlannerContract, OneTwoAndEightThreadsGiveTheSameResults) {
+  constexpr std::size_t kTasks = 16;
+  std::vector<SymbolGraph> graphs;
+  for (std::size_t i = 0; i < kTasks; ++i)
+    graphs.push_back(graphOf(testTask(4, static_cast<int>(i))));
+  const auto solve_all = [&](std::size_t threads) {
+    std::vector<PlanResult> results(kTasks);
+    std::vector<std::future<void>> workers;
+    for (std::size_t first = 0; first < threads; ++first) {
+      workers.push_back(std::async(std::launch::async, [&, first] {
+        for (std::size_t i = first; i < kTasks; i += threads) {
+          results[i] = planner_->solve(graphs[i], {});
+        }
+      }));
+    }
+    for (auto& worker : workers) worker.get();
+    return results;
+  };
+  const std::vector<PlanResult> alone = solve_all(1);
+  EXPECT_EQ(solve_all(2), alone);
+  EXPECT_EQ(solve_all(8), alone);
+}
+
 TEST_P(PlannerContract, TheLimitOfExpansionsIsHonoured) {
   PlanQuery query;
   query.limits.max_expansions = 1;

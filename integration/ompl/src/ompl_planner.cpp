@@ -25,9 +25,9 @@
 
 #include "conceptplan/ompl/action_space.hpp"
 #include "conceptplan/ompl/symbol_space_information.hpp"
+#include "conceptplan/planners/path_planning.hpp"
 #include "ompl_console.hpp"
 #include "option_range.hpp"
-#include "path_planning.hpp"
 #include "path_search.hpp"
 #include "symbol_regions.hpp"
 

@@ -10,7 +10,7 @@
 
 using namespace conceptplan;
 
-// One action moves a symbol of an axis by one; at its end it is not defined.
+// One action moves a symbol of an axis by one; at its end it stays.
 void move(EffectTable& effects, Action action, Concept axis, int by) {
   Effect& effect = effects[index(action)][index(axis)];
   effect.context = {{ContextKind::kOwnSymbol, axis}};

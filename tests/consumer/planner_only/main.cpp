@@ -20,6 +20,23 @@ SymbolBelief bread(int column, int row) {
   return certain({SymbolId{0}, SymbolId{column}, SymbolId{row}}, kConceptCardinality);
 }
 
+void print(const PlanResult& result) {
+  for (const Plan& plan : result.plans) {
+    std::cout << "probability " << plan.probability << ':';
+    for (const Action action : plan.actions) std::cout << ' ' << name(action);
+    std::cout << '\n';
+  }
+  if (result.status == PlanStatus::kSolved) return;
+  std::cout << name(result.status) << ": " << result.reason << '\n';
+  for (const Rejection& step : result.rejections) {
+    std::cout << "  " << name(step.action) << ": ";
+    if (step.cause == Invalidity::kNone) std::cout << "Pr[action | symbols] is " << step.value;
+    if (step.cause != Invalidity::kNone) std::cout << name(step.cause);
+    if (step.object) std::cout << " with object " << *step.object;
+    std::cout << '\n';
+  }
+}
+
 int main() {
   EffectTable effects;
   move(effects, Action::kMoveFront, Concept::kPositionY, 1);
@@ -29,9 +46,9 @@ int main() {
   const SymbolicModel model{
       standardGrounding(), {kConceptCardinality, effects}, {kConceptCardinality, {}}, {}};
 
-  // One loaf at (0, 0) that shall go to (0, 2), and another in its way.
-  const SymbolicProblem problem{{{}, {bread(0, 0), bread(0, 1)}, 0}, bread(0, 2)};
-  const PlanResult result = BeliefPlanner().solve(compile(model, problem, GridValidity()), {});
-  if (result.plans.empty()) return 1;
-  for (const Action action : result.plans.front().actions) std::cout << name(action) << '\n';
+  // Object 0 at (0, 0) shall go to (0, 2). Object 1 is in its way; then object 2 shuts the way out.
+  SymbolicProblem problem{{{}, {bread(0, 0), bread(0, 1)}, 0}, bread(0, 2)};
+  print(BeliefPlanner().solve(compile(model, problem, GridValidity()), {.top = 1}));
+  problem.initial.objects.push_back(bread(1, 0));
+  print(BeliefPlanner().solve(compile(model, problem, GridValidity()), {.top = 1}));
 }

@@ -24,6 +24,7 @@ struct PlanQuery {
 
 /// Finds action sequences in a compiled problem. Same graph, query and options: same result, as
 /// long as no time limit strikes. Planners keep no state between calls; threads may share one.
+/// A planner of one's own overrides `search`, most easily by `planByPaths`; docs/api.md shows one.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -32,6 +33,7 @@ class Planner {
   PlanResult solve(const SymbolGraph& graph, const PlanQuery& query) const;
 
  private:
+  /// @pre the query is as `solve` asks for. The statistics' `validity_checks` are filled in later.
   virtual PlanResult search(const SymbolGraph& graph, const PlanQuery& query) const = 0;
 };
 

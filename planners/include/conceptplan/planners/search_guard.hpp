@@ -8,7 +8,8 @@
 
 namespace conceptplan {
 
-/// Counts the expansions of one search and tells when it must stop.
+/// Counts the expansions of one search and tells when it must stop: at the limits of expansions and
+/// time, or when it is cancelled. Serves one thread.
 class SearchGuard {
  public:
   explicit SearchGuard(const SearchLimits& limits);

@@ -1,0 +1,56 @@
+#include "conceptplan/planners/search_guard.hpp"
+
+#include <gtest/gtest.h>
+
+namespace conceptplan {
+namespace {
+
+TEST(SearchGuard, CountsUpToTheLimitOfExpansions) {
+  SearchLimits limits;
+  limits.max_expansions = 2;
+  SearchGuard guard(limits);
+  SearchStatistics statistics;
+  EXPECT_TRUE(guard.expand(statistics));
+  EXPECT_TRUE(guard.expand(statistics));
+  EXPECT_FALSE(guard.stopped());
+  EXPECT_EQ(guard.reason(), "");
+  EXPECT_FALSE(guard.expand(statistics));
+  EXPECT_EQ(guard.stopped(), PlanStatus::kLimit);
+  EXPECT_EQ(guard.reason(), "stopped at the limit of 2 expansions");
+  EXPECT_EQ(statistics.expanded, 2u);
+}
+
+TEST(SearchGuard, StopsWhenTimeIsUp) {
+  SearchLimits limits;
+  limits.timeout_s = 1e-9;
+  SearchGuard guard(limits);
+  SearchStatistics statistics;
+  EXPECT_FALSE(guard.expand(statistics));
+  EXPECT_EQ(guard.stopped(), PlanStatus::kTimeout);
+}
+
+TEST(SearchGuard, StopsWhenItIsCancelled) {
+  std::atomic<bool> cancel{false};
+  SearchLimits limits;
+  limits.cancel = &cancel;
+  SearchGuard guard(limits);
+  SearchStatistics statistics;
+  EXPECT_TRUE(guard.expand(statistics));
+  cancel = true;
+  EXPECT_FALSE(guard.expand(statistics));
+  EXPECT_EQ(guard.reason(), "cancelled");
+  cancel = false;
+  EXPECT_FALSE(guard.expand(statistics));
+}
+
+TEST(SearchGuard, APlannerMayStopItself) {
+  SearchGuard guard(SearchLimits{});
+  SearchStatistics statistics;
+  guard.stop(PlanStatus::kLimit, "no idea left");
+  EXPECT_FALSE(guard.expand(statistics));
+  EXPECT_EQ(guard.stopped(), PlanStatus::kLimit);
+  EXPECT_EQ(guard.reason(), "no idea left");
+}
+
+}  // namespace
+}  // namespace conceptplan
