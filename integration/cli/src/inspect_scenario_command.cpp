@@ -40,11 +40,22 @@ std::string pictureText(const RgbdImage& image) {
   return text;
 }
 
+std::string targetText(const Scenario& scenario) {
+  if (scenario.target) return "instance " + std::to_string(*scenario.target);
+  if (scenario.targets.empty()) return "the object whose symbols differ";
+  std::string text;
+  for (const std::uint8_t target : scenario.targets) {
+    text += (text.empty() ? "instances " : ", ") + std::to_string(target);
+  }
+  return text;
+}
+
 int inspectScenario(const InspectScenarioOptions& options, Session& session) {
   const Scenario scenario = readScenario(options.path);
   Json document{{"name", scenario.name},
                 {"model", scenario.model},
                 {"target", scenario.target ? Json(*scenario.target) : Json()},
+                {"targets", scenario.targets},
                 {"planner",
                  {{"name", scenario.planner.name},
                   {"options", scenario.planner.options},
@@ -53,8 +64,7 @@ int inspectScenario(const InspectScenarioOptions& options, Session& session) {
   TextTable facts{
       {"name", scenario.name},
       {"model", scenario.model},
-      {"target", scenario.target ? "instance " + std::to_string(*scenario.target)
-                                 : "the object whose symbols differ"},
+      {"target", targetText(scenario)},
       {"planner", scenario.planner.name + ", " + std::to_string(scenario.planner.top) + " plans"}};
   if (const auto* pictures = std::get_if<PictureInput>(&scenario.input)) {
     document["initial"] = pictureJson(pictures->initial);
