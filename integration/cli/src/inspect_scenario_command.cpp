@@ -80,11 +80,20 @@ int inspectScenario(const InspectScenarioOptions& options, Session& session) {
     const Reference reference = readReference(*scenario.reference);
     Json plan = Json::array();
     std::string text;
-    for (const Action action : reference.task.reference) {
-      plan.push_back(name(action));
-      text += (text.empty() ? "" : ", ") + std::string(name(action));
+    const Task& task = reference.task;
+    for (std::size_t step = 0; step < task.reference.size(); ++step) {
+      const std::string action(name(task.reference[step]));
+      plan.push_back(action);
+      if (!text.empty()) text += ", ";
+      if (!task.moved.empty()) text += std::to_string(task.moved[step] + 1) + ":";
+      text += action;
     }
-    document["reference"] = {{"level", reference.task.level}, {"plan", plan}};
+    document["reference"] = {{"level", task.level}, {"plan", plan}};
+    if (!task.moved.empty()) {
+      document["reference"]["moved"] = Json::array();
+      for (const std::size_t moved : task.moved)
+        document["reference"]["moved"].push_back(moved + 1);
+    }
     facts.push_back({"reference", "level " + std::to_string(reference.task.level) + ": " +
                                       (text.empty() ? "no plan" : text)});
   }

@@ -54,12 +54,23 @@ std::size_t mostChanged(const Percept& initial, const Percept& goal) {
   return best;
 }
 
-Evaluation evaluationOf(const Task& task, const PlanResult& result) {
+/// The objects of the simulated world that the steps of a plan move, which have the order of their
+/// ids; none if there is one target.
+std::vector<std::size_t> movedInWorld(const Solution& solution, const Plan& plan) {
+  std::vector<std::size_t> moved;
+  for (const std::size_t object : plan.moved) moved.push_back(solution.instances[object] - 1u);
+  return moved;
+}
+
+Evaluation evaluationOf(const Task& task, const Solution& solution) {
+  const std::vector<Plan>& plans = solution.result.plans;
   Evaluation evaluation;
-  evaluation.best = judge(task, result.plans.empty() ? std::optional<ActionSequence>()
-                                                     : std::optional(result.plans.front().actions));
-  for (std::size_t i = 0; i < std::min<std::size_t>(5, result.plans.size()); ++i)
-    evaluation.top5 = evaluation.top5 || judge(task, result.plans[i].actions).succeeded();
+  if (plans.empty()) evaluation.best = judge(task, std::nullopt);
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, plans.size()); ++i) {
+    const Judgement judgement = judge(task, plans[i].actions, movedInWorld(solution, plans[i]));
+    if (i == 0) evaluation.best = judgement;
+    evaluation.top5 = evaluation.top5 || judgement.succeeded();
+  }
   return evaluation;
 }
 
@@ -76,12 +87,15 @@ ReportMotion motionOf(const RefinementResult& refinement) {
 }
 
 /// What the simulator shows after each step, as far as the plan is legal.
-std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Plan& plan) {
+std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Solution& solution,
+                                       const Plan& plan) {
+  const std::vector<std::size_t> moved = movedInWorld(solution, plan);
   Renderer renderer;
   World world = reference.task.initial;
   std::vector<RgbdImage> frames;
-  for (const Action action : plan.actions) {
-    if (advance(world, action)) break;
+  for (std::size_t i = 0; i < plan.actions.size(); ++i) {
+    world.target = movedObject(world, moved, i);
+    if (advance(world, plan.actions[i])) break;
     frames.push_back(renderer.render(world, {reference.task.appearance, reference.domain}));
   }
   return frames;
@@ -194,7 +208,7 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
 
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
-    if (hasSolution(reference)) solution.evaluation = evaluationOf(reference.task, solution.result);
+    if (hasSolution(reference)) solution.evaluation = evaluationOf(reference.task, solution);
   }
   solution.times.total_ms = total.lap();
   return solution;
@@ -268,7 +282,7 @@ Report reportOf(const Scenario& scenario, const Model& model, const Solution& so
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
     if (!solution.result.plans.empty()) {
-      const auto simulated = simulatedFrames(reference, solution.result.plans.front());
+      const auto simulated = simulatedFrames(reference, solution, solution.result.plans.front());
       report.frames.resize(solution.result.plans.front().actions.size());
       for (std::size_t i = 0; i < simulated.size(); ++i) report.frames[i].reference = simulated[i];
     }

@@ -27,9 +27,9 @@ struct PictureInput {
 
 /// A task told in symbols of the model. Object i has the instance id i + 1.
 struct SymbolInput {
-  std::vector<GivenSymbols> objects;  ///< at least one
-  GivenSymbols goal;                  ///< what the target should become; not read for several
-  std::vector<GivenSymbols> goals;    ///< of each of the scenario's `targets`; else empty
+  std::vector<GivenSymbols> objects;     ///< at least one
+  GivenSymbols goal;                     ///< what the target should become; not read for several
+  std::vector<GivenSymbols> goals = {};  ///< of each of the scenario's `targets`; else empty
 };
 
 struct PlannerChoice {
