@@ -196,12 +196,13 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
   solution.times.refine_ms = stage.lap();
 
   if (pictures != nullptr && options.render && scenario.render && !solution.result.plans.empty()) {
-    if (several) {
-      solution.doubts.push_back("No frames were predicted: that is done for one target only.");
-    } else {
+    try {
       solution.frames = model.render(pictures->initial, initial,
                                      solution.instances[solution.problem.initial.target],
                                      solution.result.plans.front());
+    } catch (const std::invalid_argument& error) {
+      if (!several) throw;
+      solution.doubts.push_back("No frames were predicted: " + std::string(error.what()) + ".");
     }
   }
   solution.times.render_ms = stage.lap();
