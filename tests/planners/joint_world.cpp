@@ -9,6 +9,7 @@
 #include "conceptplan/domain/simulation/random_stream.hpp"
 #include "conceptplan/planners/state_validity.hpp"
 #include "planners/grid_world.hpp"
+#include "planners/learned_world.hpp"
 #include "planners/random_world.hpp"
 
 namespace conceptplan::testing {
@@ -193,6 +194,19 @@ JointWorld dyerWorld(std::uint64_t seed) {
   return {{grounding, TransitionModel(cardinality, effects), ActionLegality(cardinality, legality),
            ModelEvidence{}},
           problem};
+}
+
+JointWorld learnedJointWorld(const Task& task) {
+  const Relabelling& names = learnedRelabelling();
+  const SymbolicProblem first = names.problem(task);
+  JointWorld world{
+      learnedModel(),
+      {first.initial.workbench, first.initial.objects, {{first.initial.target, first.goal}}}};
+  for (const FurtherTarget& target : task.further) {
+    world.problem.targets.push_back(
+        {target.object, certain(names.symbols(target.goal), kConceptCardinality)});
+  }
+  return world;
 }
 
 std::optional<LeastCost> leastJointCost(const JointWorld& world, std::size_t most_steps,

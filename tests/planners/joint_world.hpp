@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "conceptplan/domain/model/symbolic_model.hpp"
+#include "conceptplan/domain/task.hpp"
 
 namespace conceptplan::testing {
 
@@ -40,6 +41,9 @@ JointWorld randomJointWorld(std::uint64_t seed);
 /// legal beside the nearest one, and takes its colour of two. Starts and goals are drawn; a second
 /// dyer that stands still may give the first one its colour.
 JointWorld dyerWorld(std::uint64_t seed);
+
+/// A task of one or several targets, with the learned model.
+JointWorld learnedJointWorld(const Task& task);
 
 /// The least cost, in nats, of a joint plan of at most `most_steps` actions, and the fewest actions
 /// at this cost; nothing if there is none.
