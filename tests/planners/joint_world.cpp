@@ -163,7 +163,8 @@ JointWorld dyerWorld(std::uint64_t seed) {
   }
   const ContextFeature offset{ContextKind::kNearestOffset, Concept::kType, dyer};
   LegalityFactor beside{offset, std::vector<double>(valueCount(offset, cardinality), 0)};
-  for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+  for (const auto& [dx, dy] :
+       {std::pair{1, 0}, std::pair{-1, 0}, std::pair{0, 1}, std::pair{0, -1}}) {
     const int axis = 2 * kOffsetReach + 1;
     beside.share[static_cast<std::size_t>((dy + kOffsetReach) * axis + dx + kOffsetReach)] = 0.3;
   }
