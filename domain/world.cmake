@@ -4,7 +4,7 @@ foreach(header IN ITEMS
     dataset/concept_dataset dataset/concept_dataset_writer dataset/dataset_summary
     dataset/task_dataset dataset/task_dataset_writer
     simulation/concept_set simulation/judgement simulation/random_stream
-    simulation/reference_planner simulation/simulator simulation/task_generator)
+    simulation/reference_planner simulation/second_target simulation/simulator simulation/task_generator)
   list(APPEND world_headers include/conceptplan/domain/${header}.hpp)
 endforeach()
 
@@ -31,5 +31,6 @@ set(world_sources
   src/simulation/judgement.cpp
   src/simulation/random_stream.cpp
   src/simulation/reference_planner.cpp
+  src/simulation/second_target.cpp
   src/simulation/simulator.cpp
   src/simulation/task_generator.cpp)

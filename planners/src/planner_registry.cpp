@@ -21,8 +21,8 @@ const PlannerEntry* PlannerRegistry::find(std::string_view name) const& {
   return nullptr;
 }
 
-std::unique_ptr<Planner> PlannerRegistry::make(const std::string& name, const OptionTexts& options,
-                                               const std::string& path) const {
+const PlannerEntry& PlannerRegistry::entryNamed(const std::string& name,
+                                                const std::string& path) const {
   const PlannerEntry* entry = find(name);
   if (entry == nullptr) {
     std::vector<std::string_view> known;
@@ -33,7 +33,30 @@ std::unique_ptr<Planner> PlannerRegistry::make(const std::string& name, const Op
                        "planner.name",
                        "unknown planner \"" + name + "\"" + didYouMean(name, known)}});
   }
-  return entry->make(OptionValues(entry->options, options, path));
+  return *entry;
+}
+
+std::unique_ptr<Planner> PlannerRegistry::make(const std::string& name, const OptionTexts& options,
+                                               const std::string& path) const {
+  const PlannerEntry& entry = entryNamed(name, path);
+  return entry.make(OptionValues(entry.options, options, path));
+}
+
+JointPlanner PlannerRegistry::makeJoint(const std::string& name, const OptionTexts& options,
+                                        const std::string& path) const {
+  const PlannerEntry& entry = entryNamed(name, path);
+  if (!entry.make_joint) {
+    std::string others;
+    for (const PlannerEntry& other : entries_) {
+      if (other.make_joint) others += (others.empty() ? "" : ", ") + other.name;
+    }
+    throw InputError({{path,
+                       {},
+                       {},
+                       "planner.name",
+                       "\"" + name + "\" plans for one target; for several there are " + others}});
+  }
+  return entry.make_joint(OptionValues(entry.options, options, path));
 }
 
 }  // namespace conceptplan

@@ -87,6 +87,15 @@ PlannerEntry beliefEntry() {
       }};
 }
 
+/// What planners say that search for several targets too.
+const char* const kBestForSeveral =
+    "Plans also for several targets, of which each action moves one: the best ones within the "
+    "horizon times the number of targets. Plans in which each target has the same actions count "
+    "as one.";
+const char* const kGreedyForSeveral =
+    "Plans also for several targets, of which each action moves one, within the horizon times the "
+    "number of targets.";
+
 PlannerEntry bfsEntry() {
   return {
       "bfs",
@@ -95,17 +104,39 @@ PlannerEntry bfsEntry() {
       {"Plans are distinct and ordered by length, then by the order of the actions.",
        "The first plan has the fewest actions among those in which every action has its most "
        "probable outcome.",
-       kProvedOnLikelyOutcomes},
+       kProvedOnLikelyOutcomes, kBestForSeveral},
       {legalityThreshold()},
       [](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<BfsPlanner>(BfsPlannerOptions{values.number("legality_threshold")});
+      },
+      [](const OptionValues& values) {
+        JointPlannerOptions options;
+        options.legality_threshold = values.number("legality_threshold");
+        options.count_actions = true;
+        return JointPlanner(options);
       }};
+}
+
+/// The joint search of the same guidance; none for the exact distances, which it does not know.
+std::function<JointPlanner(const OptionValues&)> jointSearch(Guidance guidance, bool greedy) {
+  if (guidance == Guidance::kDistances) return {};
+  return [guidance, greedy](const OptionValues& values) {
+    JointPlannerOptions options;
+    options.legality_threshold = values.number("legality_threshold");
+    options.step_discount = values.number("step_discount");
+    options.guided = guidance != Guidance::kNone;
+    options.greedy = greedy;
+    return JointPlanner(options);
+  };
 }
 
 /// The planners of BestFirstPlanner differ in how they are guided.
 PlannerEntry bestFirstEntry(std::string name, std::string summary, std::string source,
                             std::vector<std::string> guarantees, Guidance guidance, bool greedy) {
   guarantees.push_back(kProvedOnLikelyOutcomes);
+  if (guidance != Guidance::kDistances) {
+    guarantees.push_back(greedy ? kGreedyForSeveral : kBestForSeveral);
+  }
   return {std::move(name),
           std::move(summary),
           std::move(source),
@@ -118,7 +149,8 @@ PlannerEntry bestFirstEntry(std::string name, std::string summary, std::string s
             options.guidance = guidance;
             options.greedy = greedy;
             return std::make_unique<BestFirstPlanner>(options);
-          }};
+          },
+          jointSearch(guidance, greedy)};
 }
 
 /// What all exact planners over most probable outcomes promise of their plans.

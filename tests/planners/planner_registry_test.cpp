@@ -80,5 +80,18 @@ TEST(PlannerRegistry, DocsPlannersIsUpToDate) {
       << "put " << fresh << " at the beginning of docs/planners.md";
 }
 
+TEST(PlannerRegistry, MakesThePlannersOfSeveralTargets) {
+  const PlannerRegistry registry = PlannerRegistry::standard();
+  for (const char* planner : {"astar", "dijkstra", "greedy", "bfs"}) {
+    EXPECT_NO_THROW(registry.makeJoint(planner, {{"legality_threshold", "0.02"}})) << planner;
+  }
+  EXPECT_THAT([&] { registry.makeJoint("belief", {}, "s.yaml"); },
+              ::testing::ThrowsMessage<InputError>(
+                  HasSubstr("s.yaml: planner.name: \"belief\" plans for one target; for several "
+                            "there are bfs, dijkstra, astar, greedy")));
+  EXPECT_THROW(registry.makeJoint("no such planner"), InputError);
+  EXPECT_THROW(registry.makeJoint("astar", {{"step_discount", "2"}}), InputError);
+}
+
 }  // namespace
 }  // namespace conceptplan

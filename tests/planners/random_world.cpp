@@ -92,6 +92,11 @@ SymbolBelief drawnBelief(Draws& draws) {
 
 }  // namespace
 
+SymbolicModel randomModel(std::uint64_t seed) {
+  Draws draws(seed);
+  return drawnModel(draws);
+}
+
 SymbolGraph randomWorld(std::uint64_t seed, bool uncertain) {
   Draws draws(seed);
   const SymbolicModel model = drawnModel(draws);

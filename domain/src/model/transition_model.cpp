@@ -94,10 +94,17 @@ TransitionModel::TransitionModel(const ConceptCardinality& cardinality, EffectTa
 
 std::vector<double> TransitionModel::distribution(Action action, Concept which,
                                                   const Surroundings& surroundings) const {
+  return distribution(action, which,
+                      jointValueOf(effect(action, which).context, cardinality_, surroundings),
+                      surroundings.target[index(which)]);
+}
+
+std::vector<double> TransitionModel::distribution(Action action, Concept which,
+                                                  std::size_t joint_value, SymbolId own) const {
   const Effect& rule = effect(action, which);
-  const auto row = rule.rows.find(jointValueOf(rule.context, cardinality_, surroundings));
+  const auto row = rule.rows.find(joint_value);
   if (row != rule.rows.end()) return row->second;
-  return staying(index(surroundings.target[index(which)]), rule.stays, cardinality_[index(which)]);
+  return staying(index(own), rule.stays, cardinality_[index(which)]);
 }
 
 bool TransitionModel::isDefined(Action action, const Surroundings& surroundings) const {

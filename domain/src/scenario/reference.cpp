@@ -43,7 +43,7 @@ class ReferenceReader {
   Reference read() {
     YamlMap root(document_, document_.root, "",
                  {"conceptplan", "id", "level", "domain", "appearance", "workbench", "objects",
-                  "target", "goal", "plan"});
+                  "target", "goal", "targets", "goals", "plan", "moved"});
     if (root.valid()) readRoot(root);
     if (!document_.faults.empty()) throw InputError(std::move(document_.faults));
     return std::move(reference_);
@@ -52,8 +52,8 @@ class ReferenceReader {
  private:
   void readRoot(YamlMap& root) {
     Task& task = reference_.task;
-    for (const char* key : {"conceptplan", "id", "level", "appearance", "workbench", "objects",
-                            "target", "goal", "plan"}) {
+    for (const char* key :
+         {"conceptplan", "id", "level", "appearance", "workbench", "objects", "plan"}) {
       root.require(key);
     }
     root.integer("conceptplan", kFormatVersion, kFormatVersion);
@@ -63,8 +63,70 @@ class ReferenceReader {
     readAppearance(root);
     readWorkbench(root);
     readObjects(root);
-    if (root.has("goal")) task.goal = readObject(*root.node("goal"), "goal");
+    if (root.has("targets")) {
+      readTargets(root);
+    } else {
+      readTarget(root);
+    }
     readPlan(root);
+  }
+
+  void readTarget(YamlMap& root) {
+    Task& task = reference_.task;
+    for (const char* key : {"goals", "moved"}) {
+      if (root.has(key)) root.addFault(key, "is for several targets");
+    }
+    const int count = static_cast<int>(task.initial.objects.size());
+    if (root.require("target") && count > 0) {
+      task.initial.target =
+          static_cast<std::size_t>(root.integer("target", 1, count).value_or(1) - 1);
+    }
+    if (root.require("goal")) task.goal = readObject(*root.node("goal"), "goal");
+  }
+
+  /// Several targets, their goals, and which of them each action of the plan moves.
+  void readTargets(YamlMap& root) {
+    Task& task = reference_.task;
+    for (const char* key : {"target", "goal"}) {
+      if (root.has(key)) root.addFault(key, "is for one target");
+    }
+    const std::vector<std::size_t> targets = readObjectIds(root, "targets");
+    task.moved = readObjectIds(root, "moved");
+    const std::optional<YAML::Node> goals = root.node("goals");
+    if (targets.empty() || !goals || !goals->IsSequence() || goals->size() != targets.size()) {
+      root.addFault("goals", "expected a list of a goal for each of `targets`, at least one");
+      return;
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const ObjectState goal = readObject((*goals)[i], "goals[" + std::to_string(i) + "]");
+      if (i == 0) {
+        task.initial.target = targets[0];
+        task.goal = goal;
+      } else {
+        task.further.push_back({targets[i], goal});
+      }
+    }
+  }
+
+  /// Instance ids as positions in the list of objects.
+  std::vector<std::size_t> readObjectIds(YamlMap& root, const char* key) {
+    std::vector<std::size_t> objects;
+    if (!root.require(key)) return objects;
+    const YAML::Node list = *root.node(key);
+    const std::size_t count = reference_.task.initial.objects.size();
+    if (!list.IsSequence())
+      root.addFault(key, "expected a list of objects, found " + describe(list));
+    for (const YAML::Node& entry : list) {
+      const std::optional<long long> id = integerOf(entry);
+      if (id && *id >= 1 && static_cast<std::size_t>(*id) <= count) {
+        objects.push_back(static_cast<std::size_t>(*id) - 1);
+      } else {
+        document_.addFault(
+            entry, key,
+            "expected an object in [1, " + std::to_string(count) + "], found " + describe(entry));
+      }
+    }
+    return objects;
   }
 
   void readDomain(YamlMap& root) {
@@ -116,8 +178,6 @@ class ReferenceReader {
         document_.addFault((*list)[i], key + ".cell", "another object stands in that cell");
       }
     }
-    const int count = static_cast<int>(world.objects.size());
-    world.target = static_cast<std::size_t>(root.integer("target", 1, count).value_or(1) - 1);
   }
 
   ObjectState readObject(const YAML::Node& node, const std::string& key) {
@@ -175,6 +235,11 @@ class ReferenceReader {
                            "unknown action \"" + text + "\"" + didYouMean(text, actionNames()));
       }
     }
+    const Task& task = reference_.task;
+    if (root.has("targets") && root.has("moved") && task.moved.size() != list->size()) {
+      root.addFault("moved", "expected an object for each of " + std::to_string(list->size()) +
+                                 " actions, found " + std::to_string(task.moved.size()));
+    }
   }
 
   YamlDocument document_;
@@ -188,6 +253,19 @@ void emitObject(YAML::Emitter& out, const ObjectState& object) {
       << YAML::Value << object.rotation << YAML::Key << "color" << YAML::Value
       << std::string(colorName(object.color)) << YAML::Key << "size" << YAML::Value << object.size
       << YAML::EndMap;
+}
+
+void emitTargets(YAML::Emitter& out, const Task& task) {
+  std::vector<std::size_t> targets{task.initial.target + 1};
+  for (const FurtherTarget& target : task.further) targets.push_back(target.object + 1);
+  out << YAML::Key << "targets" << YAML::Value << YAML::Flow << targets;
+  out << YAML::Key << "goals" << YAML::Value << YAML::BeginSeq;
+  emitObject(out, task.goal);
+  for (const FurtherTarget& target : task.further) emitObject(out, target.goal);
+  out << YAML::EndSeq;
+  out << YAML::Key << "moved" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const std::size_t moved : task.moved) out << moved + 1;
+  out << YAML::EndSeq;
 }
 
 }  // namespace
@@ -215,9 +293,13 @@ void writeReference(const std::filesystem::path& path, const Reference& referenc
   out << YAML::Key << "objects" << YAML::Value << YAML::BeginSeq;
   for (const ObjectState& object : task.initial.objects) emitObject(out, object);
   out << YAML::EndSeq;
-  out << YAML::Key << "target" << YAML::Value << task.initial.target + 1;
-  out << YAML::Key << "goal" << YAML::Value;
-  emitObject(out, task.goal);
+  if (task.further.empty()) {
+    out << YAML::Key << "target" << YAML::Value << task.initial.target + 1;
+    out << YAML::Key << "goal" << YAML::Value;
+    emitObject(out, task.goal);
+  } else {
+    emitTargets(out, task);
+  }
   out << YAML::Key << "plan" << YAML::Value << YAML::Flow << YAML::BeginSeq;
   for (const Action action : task.reference) out << std::string(name(action));
   out << YAML::EndSeq << YAML::EndMap;

@@ -37,6 +37,34 @@ SymbolBelief beliefOf(const Scenario& scenario, const GivenSymbols& given, const
   return belief;
 }
 
+const SymbolInput& symbolInputOf(const Scenario& scenario) {
+  const auto* input = std::get_if<SymbolInput>(&scenario.input);
+  if (!input) throw std::invalid_argument(scenario.name + ": the scenario is told in pictures");
+  return *input;
+}
+
+std::vector<SymbolBelief> objectsOf(const Scenario& scenario,
+                                    const std::array<std::size_t, kNumConcepts>& cardinality,
+                                    std::vector<Fault>& faults) {
+  const std::vector<GivenSymbols>& given = symbolInputOf(scenario).objects;
+  std::vector<SymbolBelief> objects;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    objects.push_back(beliefOf(scenario, given[i], objectKey(i), cardinality, faults));
+  }
+  return objects;
+}
+
+/// Position of a target among the objects; adds a fault if there is no such object.
+std::size_t positionOf(const Scenario& scenario, std::size_t target, const std::string& key,
+                       std::vector<Fault>& faults) {
+  const std::size_t objects = symbolInputOf(scenario).objects.size();
+  if (target < 1 || target > objects) {
+    faults.push_back(scenario.fault(key, "expected an object in [1, " + std::to_string(objects) +
+                                             "], found " + std::to_string(target)));
+  }
+  return target - 1;
+}
+
 }  // namespace
 
 Fault Scenario::fault(const std::string& key, const std::string& message) const {
@@ -51,23 +79,36 @@ Fault Scenario::fault(const std::string& key, const std::string& message) const 
 
 SymbolicProblem problemOf(const Scenario& scenario,
                           const std::array<std::size_t, kNumConcepts>& cardinality) {
-  const auto* input = std::get_if<SymbolInput>(&scenario.input);
-  if (!input) throw std::invalid_argument(scenario.name + ": the scenario is told in pictures");
+  const SymbolInput& input = symbolInputOf(scenario);
+  if (!scenario.targets.empty()) {
+    throw InputError({scenario.fault("targets", "several targets, where one is expected")});
+  }
   std::vector<Fault> faults;
   SymbolicProblem problem;
-  for (std::size_t i = 0; i < input->objects.size(); ++i) {
-    problem.initial.objects.push_back(
-        beliefOf(scenario, input->objects[i], objectKey(i), cardinality, faults));
+  problem.initial.objects = objectsOf(scenario, cardinality, faults);
+  problem.goal = beliefOf(scenario, input.goal, kGoalSymbolsKey, cardinality, faults);
+  problem.initial.target = positionOf(scenario, scenario.target.value_or(1), "target", faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return problem;
+}
+
+JointProblem jointProblemOf(const Scenario& scenario,
+                            const std::array<std::size_t, kNumConcepts>& cardinality) {
+  const SymbolInput& input = symbolInputOf(scenario);
+  if (scenario.targets.empty() || input.goals.size() != scenario.targets.size()) {
+    throw std::invalid_argument(scenario.name + ": " + std::to_string(input.goals.size()) +
+                                " goals for " + std::to_string(scenario.targets.size()) +
+                                " targets");
   }
-  problem.goal = beliefOf(scenario, input->goal, kGoalSymbolsKey, cardinality, faults);
-  const std::size_t target = scenario.target.value_or(1);
-  if (target < 1 || target > input->objects.size()) {
-    faults.push_back(scenario.fault("target", "expected an object in [1, " +
-                                                  std::to_string(input->objects.size()) +
-                                                  "], found " + std::to_string(target)));
+  std::vector<Fault> faults;
+  JointProblem problem;
+  problem.objects = objectsOf(scenario, cardinality, faults);
+  for (std::size_t i = 0; i < scenario.targets.size(); ++i) {
+    problem.targets.push_back({positionOf(scenario, scenario.targets[i], "targets", faults),
+                               beliefOf(scenario, input.goals[i], goalKey(i), cardinality, faults),
+                               "object " + std::to_string(scenario.targets[i])});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
-  problem.initial.target = target - 1;
   return problem;
 }
 

@@ -16,6 +16,8 @@ constexpr int kMostPlans = 1000;
 constexpr int kMostObjects = 255;
 constexpr double kSumTolerance = 1e-3;
 constexpr const char* kFileName = "scenario.yaml";
+/// What plans for several targets where no planner is named; `belief` is for one.
+constexpr const char* kPlannerOfSeveral = "astar";
 
 bool hasInstance(const RgbdImage& image, std::uint8_t instance) {
   return std::find(image.mask.begin(), image.mask.end(), instance) != image.mask.end();
@@ -40,8 +42,8 @@ class ScenarioReader {
 
   Scenario read(const ScenarioCheck& check) {
     YamlMap root(document_, document_.root, "",
-                 {"conceptplan", "name", "model", "initial", "goal", "target", "planner", "refine",
-                  "render", "reference"});
+                 {"conceptplan", "name", "model", "initial", "goal", "target", "targets", "planner",
+                  "refine", "render", "reference"});
     if (root.valid()) readRoot(root);
     scenario_.positions = std::move(document_.positions);
     std::vector<Fault>& faults = document_.faults;
@@ -63,6 +65,7 @@ class ScenarioReader {
     if (const auto target = root.integer("target", 1, kMostObjects)) {
       scenario_.target = static_cast<std::uint8_t>(*target);
     }
+    readTargets(root);
     if (const auto render = root.boolean("render")) scenario_.render = *render;
     if (const auto reference = root.text("reference")) {
       scenario_.reference = resolve(*reference);
@@ -73,6 +76,33 @@ class ScenarioReader {
     readPlanner(root);
     readRefine(root);
     readInput(root);
+  }
+
+  void readTargets(YamlMap& root) {
+    if (!root.has("targets")) return;
+    if (root.has("target")) root.addFault("target", "cannot stand beside targets");
+    const YAML::Node list = *root.node("targets");
+    if (!list.IsSequence() || list.size() < 2) {
+      root.addFault("targets", "expected a list of at least 2 instance ids, found " +
+                                   (list.IsSequence() ? "a list of " + std::to_string(list.size())
+                                                      : describe(list)));
+      return;
+    }
+    for (const YAML::Node& entry : list) {
+      const std::optional<long long> id = integerOf(entry);
+      if (!id || *id < 1 || *id > kMostObjects) {
+        document_.addFault(entry, "targets",
+                           "expected an instance id in [1, 255], found " + describe(entry));
+      } else if (std::ranges::count(scenario_.targets, *id) > 0) {
+        document_.addFault(entry, "targets", "instance " + std::to_string(*id) + " is given twice");
+      } else {
+        scenario_.targets.push_back(static_cast<std::uint8_t>(*id));
+      }
+    }
+    scenario_.planner.name = kPlannerOfSeveral;
+    if (root.has("refine")) {
+      root.addFault("refine", "a plan for several targets cannot be refined to one motion");
+    }
   }
 
   std::filesystem::path resolve(const std::string& path) const {
@@ -124,16 +154,17 @@ class ScenarioReader {
   void readPictures(YamlMap& root, YamlMap& initial, YamlMap& goal) {
     const std::optional<RgbdImage> first = readPicture(initial);
     const std::optional<RgbdImage> last = readPicture(goal);
-    if (scenario_.target) {
-      const auto checkTarget = [&](const std::optional<RgbdImage>& image, const char* which) {
-        if (!image || hasInstance(*image, *scenario_.target)) return;
-        root.addFault("target", "instance " + std::to_string(*scenario_.target) +
-                                    " is not in the " + which + " mask, which shows " +
-                                    instancesText(*image));
+    const auto checkTarget = [&](const char* key, std::uint8_t target) {
+      const auto checkImage = [&](const std::optional<RgbdImage>& image, const char* which) {
+        if (!image || hasInstance(*image, target)) return;
+        root.addFault(key, "instance " + std::to_string(target) + " is not in the " + which +
+                               " mask, which shows " + instancesText(*image));
       };
-      checkTarget(first, "initial");
-      checkTarget(last, "goal");
-    }
+      checkImage(first, "initial");
+      checkImage(last, "goal");
+    };
+    if (scenario_.target) checkTarget("target", *scenario_.target);
+    for (const std::uint8_t target : scenario_.targets) checkTarget("targets", target);
     if (first && last) scenario_.input = PictureInput{*first, *last};
   }
 
@@ -178,7 +209,7 @@ class ScenarioReader {
       }
     }
     SymbolInput input;
-    input.goal = readObject(*goal.node("symbols"), kGoalSymbolsKey);
+    readGoals(root, goal, input);
     YamlMap symbols(document_, *initial.node("symbols"), "initial.symbols", {"objects"});
     if (symbols.require("objects")) {
       const YAML::Node list = *symbols.node("objects");
@@ -197,7 +228,35 @@ class ScenarioReader {
     scenario_.input = std::move(input);
   }
 
+  /// One goal, or one for each of several targets.
+  void readGoals(YamlMap& root, YamlMap& goal, SymbolInput& input) {
+    const YAML::Node symbols = *goal.node("symbols");
+    if (!root.has("targets")) {
+      input.goal = readObject(symbols, kGoalSymbolsKey);
+      return;
+    }
+    const std::size_t targets = root.node("targets")->size();
+    if (targets < 2) return;  // told of already
+    if (!symbols.IsSequence() || symbols.size() != targets) {
+      goal.addFault("symbols", "expected a list with what each of the " + std::to_string(targets) +
+                                   " targets should become, found " +
+                                   (symbols.IsSequence()
+                                        ? "a list of " + std::to_string(symbols.size())
+                                        : describe(symbols)));
+      return;
+    }
+    for (std::size_t i = 0; i < targets; ++i) {
+      input.goals.push_back(readObject(symbols[i], goalKey(i)));
+    }
+  }
+
   void checkSymbolicTarget(YamlMap& root, std::size_t objects) {
+    for (const std::uint8_t target : scenario_.targets) {
+      if (target <= objects) continue;
+      root.addFault("targets", "expected objects in [1, " + std::to_string(objects) + "], found " +
+                                   std::to_string(target));
+    }
+    if (root.has("targets")) return;
     if (!root.has("target") && objects > 1) {
       root.addFault("target", "the key is missing: with symbols and " + std::to_string(objects) +
                                   " objects it says which one the goal is about");

@@ -36,7 +36,13 @@ void emitInput(YAML::Emitter& out, const Scenario& scenario) {
     out << YAML::EndSeq << YAML::EndMap << YAML::EndMap;
     out << YAML::Key << "goal" << YAML::Value << YAML::BeginMap << YAML::Key << "symbols"
         << YAML::Value;
-    emitSymbols(out, symbols->goal);
+    if (scenario.targets.empty()) {
+      emitSymbols(out, symbols->goal);
+    } else {
+      out << YAML::BeginSeq;
+      for (const GivenSymbols& goal : symbols->goals) emitSymbols(out, goal);
+      out << YAML::EndSeq;
+    }
     out << YAML::EndMap;
     return;
   }
@@ -64,6 +70,10 @@ std::string scenarioText(const Scenario& scenario, bool has_reference) {
   emitInput(out, scenario);
   if (scenario.target) {
     out << YAML::Key << "target" << YAML::Value << static_cast<int>(*scenario.target);
+  }
+  if (!scenario.targets.empty()) {
+    const std::vector<int> targets(scenario.targets.begin(), scenario.targets.end());
+    out << YAML::Key << "targets" << YAML::Value << YAML::Flow << targets;
   }
   emitPlanner(out, scenario.planner);
   if (scenario.refine_clearance_m) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "conceptplan/domain/simulation/simulator.hpp"
@@ -95,7 +96,107 @@ class Search {
   std::vector<Edge> edges_;
 };
 
+/// Breadth-first search over the states of several targets.
+class JointSearch {
+ public:
+  explicit JointSearch(const Task& task) : world_(task.initial), objects_{task.initial.target} {
+    for (const FurtherTarget& target : task.further) objects_.push_back(target.object);
+    std::vector<ObjectState> goal{task.goal};
+    for (const FurtherTarget& target : task.further) goal.push_back(target.goal);
+    std::vector<ObjectState> start;
+    for (const std::size_t object : objects_) start.push_back(world_.objects.at(object));
+    for (std::size_t i = 0; i < goal.size(); ++i) {
+      reachable_ = reachable_ && goal[i].type == start[i].type && goal[i].size == start[i].size;
+    }
+    goal_ = pack(goal);
+    reach(pack(start), {});
+  }
+
+  std::optional<JointSequence> find() {
+    for (std::size_t i = 0; reachable_ && i < nodes_.size(); ++i) {
+      if (nodes_[i].state == goal_) return sequenceTo(i);
+      expand(i);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Node {
+    std::uint64_t state = 0;
+    std::size_t parent = 0;
+    std::size_t moved = 0;
+    Action action{};
+  };
+
+  /// What changes of the targets; the cells of all of them fit 64 bits for up to seven.
+  std::uint64_t pack(const std::vector<ObjectState>& targets) const {
+    std::uint64_t packed = 0;
+    for (const ObjectState& target : targets) {
+      const int cell = target.cell.y * world_.workbench.columns + target.cell.x;
+      packed = packed * numStates() +
+               static_cast<std::uint64_t>((cell * 4 + target.rotation) * 6 + target.color);
+    }
+    return packed;
+  }
+
+  std::uint64_t numStates() const {
+    return static_cast<std::uint64_t>(world_.workbench.columns * world_.workbench.rows) * 24;
+  }
+
+  void unpack(std::uint64_t packed) {
+    for (std::size_t i = objects_.size(); i-- > 0;) {
+      const int state = static_cast<int>(packed % numStates());
+      packed /= numStates();
+      ObjectState& target = world_.objects[objects_[i]];
+      target.color = state % 6;
+      target.rotation = state / 6 % 4;
+      target.cell = {state / 24 % world_.workbench.columns, state / 24 / world_.workbench.columns};
+    }
+  }
+
+  void expand(std::size_t i) {
+    std::vector<ObjectState> targets(objects_.size());
+    for (const std::size_t moved : objects_) {
+      for (const Action action : kActions) {
+        unpack(nodes_[i].state);
+        world_.target = moved;
+        if (advance(world_, action)) continue;
+        for (std::size_t t = 0; t < targets.size(); ++t) targets[t] = world_.objects[objects_[t]];
+        reach(pack(targets), {0, i, moved, action});
+      }
+    }
+  }
+
+  void reach(std::uint64_t state, Node node) {
+    if (!seen_.insert(state).second) return;
+    node.state = state;
+    nodes_.push_back(node);
+  }
+
+  JointSequence sequenceTo(std::size_t node) const {
+    JointSequence sequence;
+    for (; node != 0; node = nodes_[node].parent) {
+      sequence.actions.push_back(nodes_[node].action);
+      sequence.moved.push_back(nodes_[node].moved);
+    }
+    std::reverse(sequence.actions.begin(), sequence.actions.end());
+    std::reverse(sequence.moved.begin(), sequence.moved.end());
+    return sequence;
+  }
+
+  World world_;
+  std::vector<std::size_t> objects_;
+  bool reachable_ = true;  // types and sizes never change
+  std::uint64_t goal_ = 0;
+  std::vector<Node> nodes_;
+  std::unordered_set<std::uint64_t> seen_;
+};
+
 }  // namespace
+
+std::optional<JointSequence> shortestJointPlan(const Task& task) {
+  return JointSearch(task).find();
+}
 
 std::optional<ActionSequence> shortestPlan(const World& world, const ObjectState& goal,
                                            RandomStream& random) {

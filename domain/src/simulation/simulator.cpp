@@ -90,10 +90,18 @@ std::optional<Obstruction> advance(World& world, Action action) {
   return carryOut(world, action, obstacle);
 }
 
-Replay replay(World world, const ActionSequence& actions) {
+std::size_t movedObject(const World& world, std::span<const std::size_t> moved, std::size_t step) {
+  return moved.empty() ? world.target : moved[step];
+}
+
+Replay replay(World world, const ActionSequence& actions, std::span<const std::size_t> moved) {
+  if (!moved.empty() && moved.size() != actions.size())
+    throw std::invalid_argument(std::to_string(moved.size()) + " moved objects for " +
+                                std::to_string(actions.size()) + " actions");
   target(world);
   Replay result{std::move(world), 0, std::nullopt, std::nullopt};
   for (const Action action : actions) {
+    result.world.target = movedObject(result.world, moved, result.steps);
     result.obstruction = carryOut(result.world, action, result.obstacle);
     if (result.obstruction) break;
     ++result.steps;

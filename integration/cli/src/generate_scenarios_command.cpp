@@ -14,6 +14,9 @@ struct GenerateScenariosOptions {
 
 int makeScenarios(GenerateScenariosOptions options, Session& session) {
   options.set.tasks.seed = session.options.seed;
+  if (options.set.targets > 1 && (options.set.tasks.level == 1 || options.set.infeasible)) {
+    throw InputError({Fault{"--targets", {}, {}, "", "2 need --level 2..4, and no --infeasible"}});
+  }
   if (options.set.symbols_only) {
     const std::filesystem::path model = findModel(options.set.model);
     options.set.grounding = readSymbolicModel(model / kTransitionsFile).grounding;
@@ -57,6 +60,12 @@ void addGenerateScenariosCommand(CommandLine& line, CLI::App& group) {
       ->type_name("NAME|DIR");
   command.add_flag("--symbols-only", options->set.symbols_only,
                    "No pictures: the true values as symbols of the model, by their names");
+  command
+      .add_option("--targets", options->set.targets,
+                  "Objects to be moved, 1 if left out; 2 from level 2 on, of which one is an "
+                  "obstacle otherwise")
+      ->check(CLI::Range(1, 2))
+      ->type_name("1..2");
   command.add_flag("--infeasible", options->set.infeasible,
                    "Scenarios without a solution: the target is shut in");
 }

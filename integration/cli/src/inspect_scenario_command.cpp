@@ -40,11 +40,22 @@ std::string pictureText(const RgbdImage& image) {
   return text;
 }
 
+std::string targetText(const Scenario& scenario) {
+  if (scenario.target) return "instance " + std::to_string(*scenario.target);
+  if (scenario.targets.empty()) return "the object whose symbols differ";
+  std::string text;
+  for (const std::uint8_t target : scenario.targets) {
+    text += (text.empty() ? "instances " : ", ") + std::to_string(target);
+  }
+  return text;
+}
+
 int inspectScenario(const InspectScenarioOptions& options, Session& session) {
   const Scenario scenario = readScenario(options.path);
   Json document{{"name", scenario.name},
                 {"model", scenario.model},
                 {"target", scenario.target ? Json(*scenario.target) : Json()},
+                {"targets", scenario.targets},
                 {"planner",
                  {{"name", scenario.planner.name},
                   {"options", scenario.planner.options},
@@ -53,8 +64,7 @@ int inspectScenario(const InspectScenarioOptions& options, Session& session) {
   TextTable facts{
       {"name", scenario.name},
       {"model", scenario.model},
-      {"target", scenario.target ? "instance " + std::to_string(*scenario.target)
-                                 : "the object whose symbols differ"},
+      {"target", targetText(scenario)},
       {"planner", scenario.planner.name + ", " + std::to_string(scenario.planner.top) + " plans"}};
   if (const auto* pictures = std::get_if<PictureInput>(&scenario.input)) {
     document["initial"] = pictureJson(pictures->initial);
@@ -70,11 +80,20 @@ int inspectScenario(const InspectScenarioOptions& options, Session& session) {
     const Reference reference = readReference(*scenario.reference);
     Json plan = Json::array();
     std::string text;
-    for (const Action action : reference.task.reference) {
-      plan.push_back(name(action));
-      text += (text.empty() ? "" : ", ") + std::string(name(action));
+    const Task& task = reference.task;
+    for (std::size_t step = 0; step < task.reference.size(); ++step) {
+      const std::string action(name(task.reference[step]));
+      plan.push_back(action);
+      if (!text.empty()) text += ", ";
+      if (!task.moved.empty()) text += std::to_string(task.moved[step] + 1) + ":";
+      text += action;
     }
-    document["reference"] = {{"level", reference.task.level}, {"plan", plan}};
+    document["reference"] = {{"level", task.level}, {"plan", plan}};
+    if (!task.moved.empty()) {
+      document["reference"]["moved"] = Json::array();
+      for (const std::size_t moved : task.moved)
+        document["reference"]["moved"].push_back(moved + 1);
+    }
     facts.push_back({"reference", "level " + std::to_string(reference.task.level) + ": " +
                                       (text.empty() ? "no plan" : text)});
   }

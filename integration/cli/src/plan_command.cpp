@@ -39,26 +39,21 @@ void writeFolder(const std::filesystem::path& folder, const SolvedScenario& solv
   writeFileAtomically(folder / "result.json", result.dump(2) + "\n");
 }
 
-TextTable plansTable(const PlanResult& result) {
+TextTable plansTable(const Json& plans) {
   TextTable table{{"plan", "probability", "length", "actions"}};
-  for (std::size_t i = 0; i < result.plans.size(); ++i) {
-    const Plan& plan = result.plans[i];
-    std::string actions;
-    for (const Action action : plan.actions) {
-      actions += (actions.empty() ? "" : " ") + std::string(name(action));
-    }
-    table.push_back({std::to_string(i + 1), decimal(plan.probability, 4),
-                     std::to_string(plan.actions.size()),
-                     actions.empty() ? "nothing to do" : actions});
+  for (const Json& plan : plans) {
+    const std::string actions = actionsText(plan);
+    table.push_back({std::to_string(table.size()), decimal(plan["probability"], 4),
+                     plan["length"].dump(), actions.empty() ? "nothing to do" : actions});
   }
   return table;
 }
 
-void printSolution(const SolvedScenario& solved, Console& console) {
+void printSolution(const SolvedScenario& solved, const Json& json, Console& console) {
   const PlanResult& result = solved.solution.result;
   console.print(solved.scenario.name + ": " + std::string(name(result.status)) +
                 (result.reason.empty() ? "" : ", " + result.reason));
-  if (!result.plans.empty()) console.print(plansTable(result));
+  if (!result.plans.empty()) console.print(plansTable(json["plans"]));
   for (const std::string& doubt : solved.solution.doubts) console.print(doubt);
   if (const auto& evaluation = solved.solution.evaluation) {
     const auto& failure = evaluation->best.failure;
@@ -93,7 +88,7 @@ int plan(const PlanCommandOptions& options, Session& session) {
   if (session.cancel) throw Interrupted{};
   const std::string scenario = files.front().parent_path().lexically_normal().string();
   const Json result = resultJson({scenario, solved.planner, session.options.seed}, solved.solution);
-  printSolution(solved, session.console);
+  printSolution(solved, result, session.console);
   if (!options.out.empty()) {
     writeFolder(options.out, solved, result, session.options.seed);
     session.console.print("report: " + options.out + "/report.html");

@@ -7,13 +7,18 @@
 namespace conceptplan::cli {
 namespace {
 
-Json planJson(const Plan& plan) {
+Json planJson(const Plan& plan, const Solution& solution) {
   Json actions = Json::array();
   for (const Action action : plan.actions) actions.push_back(name(action));
-  return {{"actions", actions},
-          {"probability", plan.probability},
-          {"cost", plan.cost},
-          {"length", plan.actions.size()}};
+  Json json{{"actions", actions},
+            {"probability", plan.probability},
+            {"cost", plan.cost},
+            {"length", plan.actions.size()}};
+  if (!solution.targets.empty()) {
+    json["objects"] = Json::array();
+    for (const std::size_t moved : plan.moved) json["objects"].push_back(solution.instances[moved]);
+  }
+  return json;
 }
 
 Json timesJson(const StageTimes& times) {
@@ -55,13 +60,8 @@ Json makeResult(const ResultKey& key, const std::string& status, const std::stri
           {"refinement", nullptr},     {"version", CONCEPTPLAN_VERSION}};
 }
 
-std::string actionsText(const Json& result) {
-  std::string text;
-  if (result["plans"].empty()) return text;
-  for (const Json& action : result["plans"][0]["actions"]) {
-    text += (text.empty() ? "" : " ") + action.get<std::string>();
-  }
-  return text;
+std::string bestActionsText(const Json& result) {
+  return result["plans"].empty() ? "" : actionsText(result["plans"][0]);
 }
 
 /// A field for CSV: quoted where it holds a separator.
@@ -87,10 +87,20 @@ std::string resultName(const std::filesystem::path& file) {
   return (usual ? file.parent_path() : file).lexically_normal().string();
 }
 
+std::string actionsText(const Json& plan) {
+  std::string text;
+  for (std::size_t i = 0; i < plan["actions"].size(); ++i) {
+    if (i > 0) text += " ";
+    if (plan.contains("objects")) text += plan["objects"][i].dump() + ":";
+    text += plan["actions"][i].get<std::string>();
+  }
+  return text;
+}
+
 Json resultJson(const ResultKey& key, const Solution& solution) {
   const PlanResult& result = solution.result;
   Json json = makeResult(key, std::string(name(result.status)), result.reason);
-  for (const Plan& plan : result.plans) json["plans"].push_back(planJson(plan));
+  for (const Plan& plan : result.plans) json["plans"].push_back(planJson(plan, solution));
   json["evaluation"] = evaluationJson(solution.evaluation);
   json["doubts"] = solution.doubts;
   json["times_ms"] = timesJson(solution.times);
@@ -124,7 +134,7 @@ std::string toCsv(const std::vector<Json>& results) {
                                    fieldOf(best, "length"),
                                    fieldOf(best, "probability"),
                                    fieldOf(best, "cost"),
-                                   actionsText(result),
+                                   bestActionsText(result),
                                    fieldOf(evaluation, "top1"),
                                    fieldOf(evaluation, "top5"),
                                    fieldOf(evaluation, "efficiency"),
@@ -154,7 +164,7 @@ TextTable toTable(const std::vector<Json>& results) {
                      result["planner"], result["status"],
                      has_plan ? result["plans"][0]["length"].dump() : "-",
                      has_plan ? decimal(result["plans"][0]["probability"], 3) : "-", judged,
-                     decimal(result["times_ms"]["total"], 0), actionsText(result)});
+                     decimal(result["times_ms"]["total"], 0), bestActionsText(result)});
   }
   return table;
 }

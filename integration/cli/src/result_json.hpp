@@ -21,6 +21,10 @@ Json invalidInputJson(const ResultKey& key, const InputError& error);
 /// The result of a failure of the program itself: status "failed".
 Json failedJson(const ResultKey& key, const std::string& reason);
 
+/// The actions of a plan of a result, joined by spaces; "3:move_left" where there are several
+/// targets and it moves object 3.
+std::string actionsText(const Json& plan);
+
 /// Results as CSV with a heading: of the plans only the best, its actions joined by spaces.
 std::string toCsv(const std::vector<Json>& results);
 

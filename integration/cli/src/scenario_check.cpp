@@ -22,10 +22,20 @@ auto placed(const Scenario& scenario, const Work& work) {
   }
 }
 
+OptionTexts optionsFor(const Scenario& scenario, const std::string& planner) {
+  return planner == scenario.planner.name ? scenario.planner.options : OptionTexts{};
+}
+
 std::vector<Fault> openFaults(const Scenario& scenario, const PlannerRegistry& registry) {
   const std::vector<std::function<void()>> checks{
       [&] { modelFolder(scenario); },
-      [&] { makePlanner(scenario, scenario.planner.name, registry); },
+      [&] {
+        if (scenario.targets.empty()) {
+          makePlanner(scenario, scenario.planner.name, registry);
+        } else {
+          makeJointPlanner(scenario, scenario.planner.name, registry);
+        }
+      },
       [&] {
         if (scenario.reference && std::filesystem::is_regular_file(*scenario.reference)) {
           readReference(*scenario.reference);
@@ -51,10 +61,15 @@ Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerReg
 
 std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string& name,
                                      const PlannerRegistry& registry) {
-  const bool own = name == scenario.planner.name;
   return placed(scenario, [&] {
-    return registry.make(name, own ? scenario.planner.options : OptionTexts{},
-                         scenario.file.string());
+    return registry.make(name, optionsFor(scenario, name), scenario.file.string());
+  });
+}
+
+JointPlanner makeJointPlanner(const Scenario& scenario, const std::string& name,
+                              const PlannerRegistry& registry) {
+  return placed(scenario, [&] {
+    return registry.makeJoint(name, optionsFor(scenario, name), scenario.file.string());
   });
 }
 

@@ -18,6 +18,10 @@ Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerReg
 std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string& name,
                                      const PlannerRegistry& registry);
 
+/// The same for a scenario with several targets.
+JointPlanner makeJointPlanner(const Scenario& scenario, const std::string& name,
+                              const PlannerRegistry& registry);
+
 /// The folder of the scenario's model. @throws InputError with the line of the key.
 std::filesystem::path modelFolder(const Scenario& scenario);
 

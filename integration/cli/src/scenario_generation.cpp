@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "conceptplan/domain/rendering/renderer.hpp"
+#include "conceptplan/domain/simulation/second_target.hpp"
 #include "conceptplan/pipeline/parallel_work.hpp"
 
 namespace conceptplan::cli {
@@ -24,6 +25,17 @@ SymbolId symbolNamed(const SymbolGrounding& grounding, Concept which, std::size_
                             "the model has no symbol named \"" + expected + "\""}});
   }
   return SymbolId{static_cast<std::int32_t>(found - names.begin())};
+}
+
+/// The task of that number with a second target; with that of another seed where there is no plan.
+Task drawTwoTargetTask(TaskOptions options, int i) {
+  const std::uint64_t seed = options.seed;
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    if (attempt > 0) options.seed = stableHash({seed, attempt});
+    RandomStream random{options.seed, static_cast<std::uint64_t>(options.level),
+                        static_cast<std::uint64_t>(i)};
+    if (auto task = withSecondTarget(TaskGenerator(options).task(i), random)) return *task;
+  }
 }
 
 /// The target in the corner at the origin, two objects in the cells beside it.
@@ -46,6 +58,7 @@ void shutIn(Task& task) {
 World goalWorld(const Task& task) {
   World world = task.initial;
   world.objects[world.target] = task.goal;
+  for (const FurtherTarget& target : task.further) world.objects[target.object] = target.goal;
   return world;
 }
 
@@ -55,7 +68,16 @@ Scenario makeScenario(const ScenarioSetOptions& options, const std::string& name
   Scenario scenario;
   scenario.name = name;
   scenario.model = options.model;
-  scenario.target = static_cast<std::uint8_t>(task.initial.target + 1);
+  const auto target = static_cast<std::uint8_t>(task.initial.target + 1);
+  if (task.further.empty()) {
+    scenario.target = target;
+  } else {
+    scenario.targets = {target};
+    for (const FurtherTarget& further : task.further) {
+      scenario.targets.push_back(static_cast<std::uint8_t>(further.object + 1));
+    }
+    scenario.planner.name = "astar";
+  }
   if (renderer) {
     const Appearance appearance{task.appearance, options.domain};
     scenario.input = PictureInput{renderer->render(task.initial, appearance),
@@ -67,6 +89,10 @@ Scenario makeScenario(const ScenarioSetOptions& options, const std::string& name
     input.objects.push_back(symbolsOf(object, options.grounding));
   }
   input.goal = symbolsOf(task.goal, options.grounding);
+  if (!task.further.empty()) input.goals = {input.goal};
+  for (const FurtherTarget& further : task.further) {
+    input.goals.push_back(symbolsOf(further.goal, options.grounding));
+  }
   scenario.input = std::move(input);
   return scenario;
 }
@@ -76,11 +102,14 @@ Scenario makeScenario(const ScenarioSetOptions& options, const std::string& name
 std::string scenarioName(const ScenarioSetOptions& options, int i) {
   std::string number = std::to_string(i + 1);
   number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-  return (options.infeasible ? "infeasible" : "level" + std::to_string(options.tasks.level)) + "-" +
-         number;
+  const std::string several = options.targets > 1 ? "x" + std::to_string(options.targets) : "";
+  return (options.infeasible ? "infeasible"
+                             : "level" + std::to_string(options.tasks.level) + several) +
+         "-" + number;
 }
 
 Reference drawReference(const ScenarioSetOptions& options, int i) {
+  if (options.targets > 1) return {drawTwoTargetTask(options.tasks, i), options.domain};
   TaskOptions tasks = options.tasks;
   if (options.infeasible) tasks.level = 2;
   Reference reference{TaskGenerator(tasks).task(i), options.domain};

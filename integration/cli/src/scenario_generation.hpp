@@ -17,16 +17,19 @@ struct ScenarioSetOptions {
   TaskOptions tasks;
   RenderDomain domain = RenderDomain::kStandard;
   int count = 1;            ///< >= 1
+  int targets = 1;          ///< 1, or from level 2 on 2
   bool infeasible = false;  ///< the target stands in a corner, shut in by two obstacles
   bool symbols_only = false;
   std::string model = "default";                    ///< as written into the scenarios
   SymbolGrounding grounding = standardGrounding();  ///< of the symbols, for `symbols_only`
 };
 
-/// "level3-0001" for i = 0 at level 3, "infeasible-0001" for scenarios without a solution.
+/// "level3-0001" for i = 0 at level 3, "level3x2-0001" with two targets, "infeasible-0001" for
+/// scenarios without a solution.
 std::string scenarioName(const ScenarioSetOptions& options, int i);
 
-/// The ground truth of scenario i: the task of that number, or its infeasible variant at level 2.
+/// The ground truth of scenario i: the task of that number, with a second target if two are wanted,
+/// or its infeasible variant at level 2.
 Reference drawReference(const ScenarioSetOptions& options, int i);
 
 /// The symbols of an object's true values, found by the names that `standardGrounding` gives them.

@@ -9,9 +9,18 @@ SolvedScenario ScenarioSolver::solve(const std::filesystem::path& file, const st
   SolvedScenario solved;
   solved.scenario = readCheckedScenario(file, registry_);
   solved.planner = planner.empty() ? solved.scenario.planner.name : planner;
-  const std::unique_ptr<Planner> search = makePlanner(solved.scenario, solved.planner, registry_);
-  solved.model = load(model.empty() ? modelFolder(solved.scenario) : findModel(model));
-  solved.solution = solveScenario(solved.scenario, *solved.model, *search, options);
+  const auto loadModel = [&] {
+    solved.model = load(model.empty() ? modelFolder(solved.scenario) : findModel(model));
+  };
+  if (solved.scenario.targets.empty()) {
+    const auto search = makePlanner(solved.scenario, solved.planner, registry_);
+    loadModel();
+    solved.solution = solveScenario(solved.scenario, *solved.model, *search, options);
+  } else {
+    const JointPlanner search = makeJointPlanner(solved.scenario, solved.planner, registry_);
+    loadModel();
+    solved.solution = solveScenario(solved.scenario, *solved.model, search, options);
+  }
   return solved;
 }
 

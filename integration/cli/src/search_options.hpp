@@ -16,7 +16,9 @@ inline void addLimits(CLI::App& command, SearchLimits& limits) {
                   "Expansions after which a search gives up; 200000 if left out")
       ->check(CLI::Range(1, 2000000000))
       ->type_name("N");
-  command.add_option("--horizon", limits.horizon, "Longest plan, in actions; 24 if left out")
+  command
+      .add_option("--horizon", limits.horizon,
+                  "Longest plan, in actions, for each target; 24 if left out")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
 }

@@ -17,7 +17,13 @@ void checkModel(const Scenario& scenario) {
   const std::filesystem::path folder = modelFolder(scenario);
   readModelManifest(folder);
   if (std::holds_alternative<SymbolInput>(scenario.input)) {
-    problemOf(scenario, readSymbolicModel(folder / kTransitionsFile).cardinality());
+    const ConceptCardinality cardinality =
+        readSymbolicModel(folder / kTransitionsFile).cardinality();
+    if (scenario.targets.empty()) {
+      problemOf(scenario, cardinality);
+    } else {
+      jointProblemOf(scenario, cardinality);
+    }
   }
 }
 

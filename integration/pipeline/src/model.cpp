@@ -33,6 +33,12 @@ std::size_t count(const NamedTensors& tensors) {
   return total;
 }
 
+template <typename Value>
+std::vector<Value> without(std::vector<Value> values, std::size_t at) {
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(at));
+  return values;
+}
+
 }  // namespace
 
 std::size_t Percept::position(std::uint8_t instance) const {
@@ -109,33 +115,36 @@ std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& pe
                                 " actions");
   const TorchThreads one_thread(1);
   const Symbolizer& symbolizer = parts_->symbols.symbolizer;
-  std::vector<Symbols> others;
-  std::vector<Tokens> other_tokens;
-  for (std::size_t i = 0; i < percept.tokens.size(); ++i)
-    if (i != at) {
-      others.push_back(mostProbable(percept.beliefs[i]));
-      other_tokens.push_back(percept.tokens[i]);
-    }
-  Tokens tokens = percept.tokens[at];
-  Symbols symbols = mostProbable(percept.beliefs[at]);
+  std::vector<Tokens> tokens = percept.tokens;
+  std::vector<Symbols> symbols;
+  for (const SymbolBelief& belief : percept.beliefs) symbols.push_back(mostProbable(belief));
+  std::vector<std::size_t> moved = plan.moved;
+  moved.resize(plan.actions.size(), at);
   std::vector<Tokens> predicted;
   for (std::size_t step = 0; step < plan.actions.size(); ++step) {
     const Action action = plan.actions[step];
-    const Tokens context = effectContext(parts_->symbolic, action, symbols, others, other_tokens);
-    tokens = parts_->transition.apply(tokens, context, action);
-    symbols = plan.predicted[step];
-    const Symbols read = symbolizer.nearest(tokens);
+    const std::size_t object = moved[step];
+    const Tokens context = effectContext(parts_->symbolic, action, symbols.at(object),
+                                         without(symbols, object), without(tokens, object));
+    tokens[object] = parts_->transition.apply(tokens[object], context, action);
+    symbols[object] = plan.predicted[step];
+    const Symbols read = symbolizer.nearest(tokens[object]);
     for (const Concept which : kConcepts) {
       const std::size_t k = index(which);
-      if (read[k] != symbols[k])
-        tokens.row(static_cast<Eigen::Index>(k)) =
-            symbolizer.clusters(which).centers.row(static_cast<Eigen::Index>(index(symbols[k])));
+      if (read[k] != symbols[object][k])
+        tokens[object].row(static_cast<Eigen::Index>(k)) = symbolizer.clusters(which).centers.row(
+            static_cast<Eigen::Index>(index(symbols[object][k])));
     }
-    predicted.push_back(tokens);
+    predicted.push_back(tokens[object]);
   }
+  // As long as one object moves, it is drawn into the same picture.
+  RgbdImage before = initial;
   std::vector<RgbdImage> frames;
-  for (const DrawnObject& drawn : parts_->learner.draw(predicted))
-    frames.push_back(parts_->transition.synthesize(initial, target, drawn));
+  for (const DrawnObject& drawn : parts_->learner.draw(predicted)) {
+    const std::size_t step = frames.size();
+    if (step > 0 && moved[step] != moved[step - 1]) before = frames.back();
+    frames.push_back(parts_->transition.synthesize(before, percept.instances[moved[step]], drawn));
+  }
   return frames;
 }
 

@@ -1,5 +1,6 @@
 #include "conceptplan/pipeline/report.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
@@ -33,6 +34,21 @@ void check(const Report& report) {
   if (scene.target >= count) {
     throw std::invalid_argument("report: the target is object " + std::to_string(scene.target) +
                                 " of " + std::to_string(count));
+  }
+  for (const TargetGoal& target : report.targets) {
+    if (target.object >= count) {
+      throw std::invalid_argument("report: a target is object " + std::to_string(target.object) +
+                                  " of " + std::to_string(count));
+    }
+  }
+  for (const Plan& plan : report.result.plans) {
+    if (plan.moved.size() != (report.targets.empty() ? 0 : plan.actions.size()) ||
+        std::ranges::any_of(plan.moved, [count](std::size_t moved) { return moved >= count; })) {
+      throw std::invalid_argument("report: a plan of " + std::to_string(plan.actions.size()) +
+                                  " actions for " + std::to_string(report.targets.size()) +
+                                  " targets moves " + std::to_string(plan.moved.size()) +
+                                  " times one of " + std::to_string(count) + " objects");
+    }
   }
   if (!report.instances.empty() && report.instances.size() != count) {
     throw std::invalid_argument("report: " + std::to_string(report.instances.size()) +

@@ -57,7 +57,7 @@ std::string things(const Report& report) {
   const SymbolicScene& scene = report.problem.initial;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Point at = center(scene.workbench, initialCell(report, i));
-    if (i == scene.target) {
+    if (isTarget(report, i)) {
       svg += "<circle" + fill(report, scene.objects[i]) + attribute("cx", at.x) +
              attribute("cy", at.y) + attribute("r", 17) + "/>";
     } else {
@@ -84,8 +84,11 @@ std::string way(const Report& report, const Plan& plan) {
   const Workbench& workbench = report.problem.initial.workbench;
   std::string svg;
   std::map<Cell, int> signs;
-  Cell from = initialCell(report, report.problem.initial.target);
+  std::map<std::size_t, Cell> last;  // of the objects that have moved
   for (std::size_t i = 0; i < plan.actions.size(); ++i) {
+    const std::size_t moved = movedObject(report, plan, i);
+    const bool first = !last.contains(moved);
+    const Cell from = first ? initialCell(report, moved) : last[moved];
     const Cell to = report.grounding.cell(plan.predicted[i]);
     const std::string number = std::to_string(i + 1);
     const Point a = center(workbench, from);
@@ -99,7 +102,7 @@ std::string way(const Report& report, const Plan& plan) {
                      a.y + along.y * forward + right.y * sideways};
       };
       const auto line = [](Point at) { return decimal(at.x, 1) + " " + decimal(at.y, 1) + " "; };
-      const double start = i == 0 ? 20 : 8;  // outside of the target's disc
+      const double start = first ? 20 : 8;  // outside of the target's disc
       svg += "<path class=\"path\" d=\"M" + line(place(start, 5)) + "L" +
              line(place(length - 8, 5)) + "M" + line(place(length - 14, -1)) + "L" +
              line(place(length - 8, 5)) + "L" + line(place(length - 14, 11)) + "\"/>";
@@ -113,7 +116,7 @@ std::string way(const Report& report, const Plan& plan) {
              "\"/></svg>";
       svg += text({corner.x + 4, corner.y + 9}, number);
     }
-    from = to;
+    last[moved] = to;
   }
   return svg;
 }
@@ -147,15 +150,18 @@ std::string workbenchMap(const Report& report) {
   const Workbench& bench = report.problem.initial.workbench;
   const int width = kCell * bench.columns + 1;
   const int height = kCell * bench.rows + 2 * kMargin + 1;
-  const Point goal = center(bench, report.grounding.cell(mostProbable(report.problem.goal)));
   std::string svg = "<svg viewBox=\"0 0 " + std::to_string(width) + " " + std::to_string(height) +
                     "\" role=\"img\" aria-label=\"Map of the workbench from above\">" +
                     cells(bench, kCell, kMargin);
   svg += text({0.5 * width, kMargin - 6.0}, "far side", true);
   svg += text({0.5 * width, height - 6.0}, "camera side", true);
-  svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) + attribute("y", goal.y - 28) +
-         attribute("width", 56) + attribute("height", 56) + attribute("rx", 8) + "/>" +
-         things(report);
+  for (const TargetGoal& target : targetsOf(report)) {
+    const Point goal = center(bench, report.grounding.cell(mostProbable(target.goal)));
+    svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) +
+           attribute("y", goal.y - 28) + attribute("width", 56) + attribute("height", 56) +
+           attribute("rx", 8) + "/>";
+  }
+  svg += things(report);
   if (report.motion) svg += motionPath(report, *report.motion);
   if (!report.result.plans.empty()) svg += way(report, report.result.plans.front());
   return svg + thingNames(report) + "</svg>";

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "conceptplan/domain/image_quality.hpp"
 #include "report_markup.hpp"
@@ -30,7 +31,7 @@ std::string outlineLayer(const Report& report, const RgbdImage& image) {
     std::size_t object = 0;
     while (object < count && instance(report, object) != outline.instance) ++object;
     svg += std::string("<g") +
-           (object == report.problem.initial.target ? " class=\"target\"" : "") +
+           (isTarget(report, object) ? " class=\"target\"" : "") +
            "><path class=\"under\" d=\"" + outline.path + "\"/><path class=\"over\" stroke=\"" +
            kOutlineColors[outline.instance % kOutlineColors.size()] + "\" d=\"" + outline.path +
            "\"/></g>";
@@ -85,14 +86,19 @@ std::string changes(const Report& report, const Symbols& before, const Symbols& 
 
 std::string stepList(const Report& report, const Plan& plan) {
   std::string html;
-  Symbols before = mostProbable(report.problem.initial.objects[report.problem.initial.target]);
+  std::vector<Symbols> scene;
+  for (const SymbolBelief& belief : report.problem.initial.objects) {
+    scene.push_back(mostProbable(belief));
+  }
   for (std::size_t i = 0; i < plan.actions.size(); ++i) {
     const std::string number = std::to_string(i + 1);
+    Symbols& before = scene[movedObject(report, plan, i)];
     html += "<li class=\"card\">";
     if (!report.frames.empty()) html += framesOf(report.frames[i], number);
     html += "<div class=\"what\"><h3><span class=\"number\">" + number + "</span>" +
-            icon(plan.actions[i]) + words(plan.actions[i]) + "</h3><span class=\"change\">" +
-            changes(report, before, plan.predicted[i]) + "</span></div></li>";
+            icon(plan.actions[i]) + movedName(report, plan, i) + words(plan.actions[i]) +
+            "</h3><span class=\"change\">" + changes(report, before, plan.predicted[i]) +
+            "</span></div></li>";
     before = plan.predicted[i];
   }
   return html;
@@ -159,8 +165,10 @@ std::string planSection(const Report& report) {
             stepList(report, plans.front()) + "</ol>";
   }
   return html + "<figure class=\"map card\">" + workbenchMap(report) +
-         "<figcaption>From above: the target is round, the dashed cell is its goal, numbers are "
-         "the steps." +
+         "<figcaption>From above: " +
+         (report.targets.empty() ? "the target is round, the dashed cell is its goal"
+                                 : "targets are round, dashed cells are their goals") +
+         ", numbers are the steps." +
          motionCaption(report) + "</figcaption></figure></div></section>";
 }
 

@@ -49,6 +49,24 @@ std::string objectName(const Report& report, std::size_t object) {
          std::to_string(instance(report, object));
 }
 
+std::vector<TargetGoal> targetsOf(const Report& report) {
+  if (!report.targets.empty()) return report.targets;
+  return {{report.problem.initial.target, report.problem.goal}};
+}
+
+bool isTarget(const Report& report, std::size_t object) {
+  return std::ranges::any_of(
+      targetsOf(report), [object](const TargetGoal& target) { return target.object == object; });
+}
+
+std::size_t movedObject(const Report& report, const Plan& plan, std::size_t step) {
+  return plan.moved.empty() ? report.problem.initial.target : plan.moved[step];
+}
+
+std::string movedName(const Report& report, const Plan& plan, std::size_t step) {
+  return plan.moved.empty() ? "" : objectName(report, plan.moved[step]) + ": ";
+}
+
 std::string words(Action action) {
   std::string text(name(action));
   std::replace(text.begin(), text.end(), '_', ' ');

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "conceptplan/pipeline/report.hpp"
 
@@ -24,6 +25,16 @@ int instance(const Report& report, std::size_t object);
 
 /// The most probable type of an object and the id of its mask, e.g. "Cup 2"; escaped.
 std::string objectName(const Report& report, std::size_t object);
+
+/// The targets with what they should become.
+std::vector<TargetGoal> targetsOf(const Report& report);
+bool isTarget(const Report& report, std::size_t object);
+
+/// The object that a step of a plan moves.
+std::size_t movedObject(const Report& report, const Plan& plan, std::size_t step);
+
+/// "Cup 2: ", what a step begins with where there are several targets; else empty. Escaped.
+std::string movedName(const Report& report, const Plan& plan, std::size_t step);
 
 /// "move front"; escaped.
 std::string words(Action action);

@@ -86,8 +86,10 @@ std::string alternativesSection(const Report& report) {
   for (std::size_t i = 0; i < plans.size(); ++i) {
     html += "<tr><th scope=\"row\" data-label=\"Plan\">" + std::to_string(i + 1) +
             "</th><td data-label=\"Actions\"><span class=\"actions\">";
-    for (const Action action : plans[i].actions) {
-      html += "<span>" + icon(action) + " " + words(action) + "</span>";
+    for (std::size_t step = 0; step < plans[i].actions.size(); ++step) {
+      const Action action = plans[i].actions[step];
+      html += "<span>" + icon(action) + " " + movedName(report, plans[i], step) + words(action) +
+              "</span>";
     }
     if (plans[i].actions.empty()) html += "none";
     html += "</span></td><td class=\"n\" data-label=\"Length\">" +
@@ -111,23 +113,24 @@ std::string symbolsSection(const Report& report) {
     html += "<th scope=\"col\">" + std::string(heading(which)) + "</th>";
   }
   html += "</tr></thead><tbody>";
-  const Symbols goal = mostProbable(report.problem.goal);
   const auto row = [&](const std::string& kind, const std::string& name, const SymbolBelief& belief,
-                       bool of_target) {
-    const Symbols start = mostProbable(scene.objects[scene.target]);
+                       const Symbols& other) {
     html += "<tr class=\"" + kind + "\"><th scope=\"row\">" + name + "</th>";
     for (const Concept which : kConcepts) {
-      const bool differs = of_target && start[index(which)] != goal[index(which)];
+      const bool differs = mostProbable(belief)[index(which)] != other[index(which)];
       html += beliefCell(report, belief, which, differs);
     }
     html += "</tr>";
   };
-  const std::string target_name = objectName(report, scene.target);
-  row("changes", target_name + "<span class=\"tag\">target</span>", scene.objects[scene.target],
-      true);
-  row("changes goal", target_name + "<span class=\"tag\">goal</span>", report.problem.goal, true);
+  for (const TargetGoal& target : targetsOf(report)) {
+    const SymbolBelief& start = scene.objects[target.object];
+    const std::string name = objectName(report, target.object);
+    row("changes", name + "<span class=\"tag\">target</span>", start, mostProbable(target.goal));
+    row("changes goal", name + "<span class=\"tag\">goal</span>", target.goal, mostProbable(start));
+  }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (i != scene.target) row("", objectName(report, i), scene.objects[i], false);
+    if (isTarget(report, i)) continue;
+    row("", objectName(report, i), scene.objects[i], mostProbable(scene.objects[i]));
   }
   html += "</tbody></table></div>";
   for (const std::string& doubt : report.doubts) {

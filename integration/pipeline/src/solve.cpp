@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
+#include <utility>
 
 #include "conceptplan/domain/dataset/task_dataset.hpp"
 #include "conceptplan/domain/input_error.hpp"
@@ -53,6 +55,14 @@ std::size_t mostChanged(const Percept& initial, const Percept& goal) {
   return best;
 }
 
+/// The objects of the simulated world that the steps of a plan move, which have the order of their
+/// ids; none if there is one target.
+std::vector<std::size_t> movedInWorld(const Plan& plan, std::span<const std::uint8_t> instances) {
+  std::vector<std::size_t> moved;
+  for (const std::size_t object : plan.moved) moved.push_back(instances[object] - 1u);
+  return moved;
+}
+
 /// The motion in steps of 5 mm.
 ReportMotion motionOf(const RefinementResult& refinement) {
   ReportMotion motion;
@@ -66,12 +76,15 @@ ReportMotion motionOf(const RefinementResult& refinement) {
 }
 
 /// What the simulator shows after each step, as far as the plan is legal.
-std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Plan& plan) {
+std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Solution& solution,
+                                       const Plan& plan) {
+  const std::vector<std::size_t> moved = movedInWorld(plan, solution.instances);
   Renderer renderer;
   World world = reference.task.initial;
   std::vector<RgbdImage> frames;
-  for (const Action action : plan.actions) {
-    if (advance(world, action)) break;
+  for (std::size_t i = 0; i < plan.actions.size(); ++i) {
+    world.target = movedObject(world, moved, i);
+    if (advance(world, plan.actions[i])) break;
     frames.push_back(renderer.render(world, {reference.task.appearance, reference.domain}));
   }
   return frames;
@@ -91,66 +104,78 @@ void addDoubts(const std::string& picture, const Percept& percept, const SymbolG
   }
 }
 
-}  // namespace
-
-SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
-                          std::optional<std::uint8_t> target) {
-  const std::size_t at = target ? initial.position(*target) : mostChanged(initial, goal);
-  if (at == initial.instances.size())
-    throw std::invalid_argument("the target, instance " + std::to_string(*target) +
-                                ", is not seen in the initial picture");
-  const std::size_t in_goal = goal.position(initial.instances[at]);
-  if (in_goal == goal.instances.size())
-    throw std::invalid_argument("the target, instance " + std::to_string(initial.instances[at]) +
-                                ", is not seen in the goal picture");
-  return {{Workbench{}, initial.beliefs, at}, goal.beliefs[in_goal]};
+/// Position of a target in what was read of a picture.
+std::size_t seenAt(const Percept& percept, std::uint8_t target, const std::string& picture) {
+  const std::size_t at = percept.position(target);
+  if (at == percept.instances.size())
+    throw std::invalid_argument("the target, instance " + std::to_string(target) +
+                                ", is not seen in the " + picture + " picture");
+  return at;
 }
 
-Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans) {
-  Evaluation evaluation;
-  evaluation.best = judge(
-      task, plans.empty() ? std::optional<ActionSequence>() : std::optional(plans.front().actions));
-  for (std::size_t i = 0; i < std::min(kTopPlans, plans.size()); ++i)
-    evaluation.top5 = evaluation.top5 || judge(task, plans[i].actions).succeeded();
-  return evaluation;
+/// Makes the solution's problem that of the first of several targets.
+void takeTargets(JointProblem problem, Solution& solution) {
+  const TargetGoal& first = problem.targets.front();
+  solution.problem = {{problem.workbench, std::move(problem.objects), first.object}, first.goal};
+  solution.targets = std::move(problem.targets);
 }
 
-Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
-                       const SolveOptions& options) {
+/// Reads what two pictures show into the solution. @returns what was read of the first one
+Percept readPictures(const Scenario& scenario, const PictureInput& pictures, const Model& model,
+                     Solution& solution) {
+  Percept initial = model.perceive(pictures.initial);
+  const Percept goal = model.perceive(pictures.goal);
+  addDoubts("initial", initial, model.symbolic().grounding, solution.doubts);
+  addDoubts("goal", goal, model.symbolic().grounding, solution.doubts);
+  const bool several = !scenario.targets.empty();
+  try {
+    if (several) {
+      takeTargets(jointProblemOf(initial, goal, scenario.targets), solution);
+    } else {
+      solution.problem = problemOf(initial, goal, scenario.target);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw InputError({scenario.fault(several ? "targets" : "target", error.what())});
+  }
+  solution.instances = initial.instances;
+  return initial;
+}
+
+void readSymbols(const Scenario& scenario, const Model& model, Solution& solution) {
+  if (scenario.targets.empty()) {
+    solution.problem = problemOf(scenario, model.symbolic().cardinality());
+  } else {
+    takeTargets(jointProblemOf(scenario, model.symbolic().cardinality()), solution);
+  }
+  for (std::size_t i = 0; i < solution.problem.initial.objects.size(); ++i)
+    solution.instances.push_back(static_cast<std::uint8_t>(i + 1));
+}
+
+/// Fills the result of a solution whose problem has been read.
+using SearchStage = std::function<void(Solution&, const PlanQuery&, Stopwatch& stage)>;
+
+Solution solveWith(const SearchStage& search, const Scenario& scenario, const Model& model,
+                   const SolveOptions& options) {
   Solution solution;
   Stopwatch total, stage;
   const auto* pictures = std::get_if<PictureInput>(&scenario.input);
   Percept initial;
   if (pictures != nullptr) {
-    initial = model.perceive(pictures->initial);
-    const Percept goal = model.perceive(pictures->goal);
-    addDoubts("initial", initial, model.symbolic().grounding, solution.doubts);
-    addDoubts("goal", goal, model.symbolic().grounding, solution.doubts);
-    try {
-      solution.problem = problemOf(initial, goal, scenario.target);
-    } catch (const std::invalid_argument& error) {
-      throw InputError({scenario.fault("target", error.what())});
-    }
-    solution.instances = initial.instances;
+    initial = readPictures(scenario, *pictures, model, solution);
   } else {
-    solution.problem = problemOf(scenario, model.symbolic().cardinality());
-    for (std::size_t i = 0; i < solution.problem.initial.objects.size(); ++i)
-      solution.instances.push_back(static_cast<std::uint8_t>(i + 1));
+    readSymbols(scenario, model, solution);
   }
   solution.times.perceive_ms = stage.lap();
-
-  const FclValidity validity;
-  const SymbolGraph graph = compile(model.symbolic(), solution.problem, validity);
-  solution.times.compile_ms = stage.lap();
 
   PlanQuery query;
   query.top = static_cast<std::size_t>(scenario.planner.top);
   query.limits = options.limits;
   query.seed = options.seed;
-  solution.result = planner.solve(graph, query);
+  search(solution, query, stage);
   solution.times.search_ms = stage.lap();
 
-  if (scenario.refine_clearance_m && !solution.result.plans.empty()) {
+  const bool several = !solution.targets.empty();
+  if (scenario.refine_clearance_m && !several && !solution.result.plans.empty()) {
     RefinementOptions refinement;
     refinement.clearance_m = *scenario.refine_clearance_m;
     solution.refinement = Refiner(refinement)
@@ -159,19 +184,87 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
   }
   solution.times.refine_ms = stage.lap();
 
-  if (pictures != nullptr && options.render && scenario.render && !solution.result.plans.empty())
-    solution.frames = model.render(pictures->initial, initial,
-                                   solution.instances[solution.problem.initial.target],
-                                   solution.result.plans.front());
+  if (pictures != nullptr && options.render && scenario.render && !solution.result.plans.empty()) {
+    try {
+      solution.frames = model.render(pictures->initial, initial,
+                                     solution.instances[solution.problem.initial.target],
+                                     solution.result.plans.front());
+    } catch (const std::invalid_argument& error) {
+      if (!several) throw;
+      solution.doubts.push_back("No frames were predicted: " + std::string(error.what()) + ".");
+    }
+  }
   solution.times.render_ms = stage.lap();
 
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
     if (hasSolution(reference))
-      solution.evaluation = evaluationOf(reference.task, solution.result.plans);
+      solution.evaluation =
+          evaluationOf(reference.task, solution.result.plans, solution.instances);
   }
   solution.times.total_ms = total.lap();
   return solution;
+}
+
+}  // namespace
+
+Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans,
+                        std::span<const std::uint8_t> instances) {
+  Evaluation evaluation;
+  if (plans.empty()) evaluation.best = judge(task, std::nullopt);
+  for (std::size_t i = 0; i < std::min(kTopPlans, plans.size()); ++i) {
+    const Judgement judgement = judge(task, plans[i].actions, movedInWorld(plans[i], instances));
+    if (i == 0) evaluation.best = judgement;
+    evaluation.top5 = evaluation.top5 || judgement.succeeded();
+  }
+  return evaluation;
+}
+
+SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
+                          std::optional<std::uint8_t> target) {
+  const std::size_t at = target ? seenAt(initial, *target, "initial") : mostChanged(initial, goal);
+  const std::size_t in_goal = seenAt(goal, initial.instances[at], "goal");
+  return {{Workbench{}, initial.beliefs, at}, goal.beliefs[in_goal]};
+}
+
+JointProblem jointProblemOf(const Percept& initial, const Percept& goal,
+                            std::span<const std::uint8_t> targets) {
+  JointProblem problem{Workbench{}, initial.beliefs, {}};
+  for (const std::uint8_t target : targets)
+    problem.targets.push_back({seenAt(initial, target, "initial"),
+                               goal.beliefs[seenAt(goal, target, "goal")],
+                               "object " + std::to_string(target)});
+  return problem;
+}
+
+Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
+                       const SolveOptions& options) {
+  if (!scenario.targets.empty())
+    throw InputError({scenario.fault("targets", "several targets need a planner for several")});
+  const SearchStage search = [&](Solution& solution, const PlanQuery& query, Stopwatch& stage) {
+    const FclValidity validity;
+    const SymbolGraph graph = compile(model.symbolic(), solution.problem, validity);
+    solution.times.compile_ms = stage.lap();
+    solution.result = planner.solve(graph, query);
+  };
+  return solveWith(search, scenario, model, options);
+}
+
+Solution solveScenario(const Scenario& scenario, const Model& model, const JointPlanner& planner,
+                       const SolveOptions& options) {
+  if (scenario.targets.empty())
+    throw std::invalid_argument(scenario.name + ": no `targets`, where several are expected");
+  const SearchStage search = [&](Solution& solution, const PlanQuery& query, Stopwatch&) {
+    const SymbolicScene& scene = solution.problem.initial;
+    try {
+      solution.result =
+          planner.solve(model.symbolic(), {scene.workbench, scene.objects, solution.targets},
+                        FclValidity{}, query);
+    } catch (const std::invalid_argument& error) {
+      throw InputError({scenario.fault("targets", error.what())});
+    }
+  };
+  return solveWith(search, scenario, model, options);
 }
 
 Report reportOf(const Scenario& scenario, const Model& model, const Solution& solution,
@@ -183,6 +276,7 @@ Report reportOf(const Scenario& scenario, const Model& model, const Solution& so
     report.goal = pictures->goal;
   }
   report.problem = solution.problem;
+  report.targets = solution.targets;
   report.instances = solution.instances;
   report.grounding = model.symbolic().grounding;
   report.doubts = solution.doubts;
@@ -192,7 +286,7 @@ Report reportOf(const Scenario& scenario, const Model& model, const Solution& so
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
     if (!solution.result.plans.empty()) {
-      const auto simulated = simulatedFrames(reference, solution.result.plans.front());
+      const auto simulated = simulatedFrames(reference, solution, solution.result.plans.front());
       report.frames.resize(solution.result.plans.front().actions.size());
       for (std::size_t i = 0; i < simulated.size(); ++i) report.frames[i].reference = simulated[i];
     }

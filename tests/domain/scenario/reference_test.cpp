@@ -68,5 +68,46 @@ TEST(Reference, AllFaultsComeTogetherWithTheirPlaces) {
                                 "\"move_front\"?"));
 }
 
+Reference twoTargetReference() {
+  Reference reference = sampleReference();
+  reference.task.further = {{0, {ObjectType::kCup, {0, 3}, 1, 0, 2}}};
+  reference.task.reference.push_back(Action::kMoveFront);
+  reference.task.moved = {1, 1, 1, 1, 0};
+  return reference;
+}
+
+TEST(Reference, RoundTripOfSeveralTargets) {
+  const TemporaryFolder folder;
+  const Reference written = twoTargetReference();
+  writeReference(folder / "reference.yaml", written);
+  const Reference read = readReference(folder / "reference.yaml");
+  EXPECT_EQ(read.task.initial, written.task.initial);
+  EXPECT_EQ(read.task.goal, written.task.goal);
+  EXPECT_EQ(read.task.further, written.task.further);
+  EXPECT_EQ(read.task.reference, written.task.reference);
+  EXPECT_EQ(read.task.moved, written.task.moved);
+}
+
+TEST(Reference, FaultsOfSeveralTargetsAreNamed) {
+  const TemporaryFolder folder;
+  const auto path = folder / "reference.yaml";
+  writeReference(path, twoTargetReference());
+  const std::string text = readFile(path);
+  const auto faults = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    folder.write("reference.yaml", changed);
+    return faultsOf([&] { readReference(path); });
+  };
+  EXPECT_THAT(faults("targets: [2, 1]", "targets: [2, 4]"),
+              HasSubstr("targets: expected an object in [1, 3], found \"4\""));
+  EXPECT_THAT(faults("targets: [2, 1]", "targets: [2]"),
+              HasSubstr("goals: expected a list of a goal for each of `targets`"));
+  EXPECT_THAT(faults("moved: [2, 2, 2, 2, 1]", "moved: [2, 1]"),
+              HasSubstr("moved: expected an object for each of 5 actions, found 2"));
+  EXPECT_THAT(faults("moved:", "target: 1\nmoved:"), HasSubstr("target: is for one target"));
+  EXPECT_THAT(faults("targets: [2, 1]", "target: 2"), HasSubstr("goals: is for several targets"));
+}
+
 }  // namespace
 }  // namespace conceptplan

@@ -247,5 +247,60 @@ TEST_F(ScenarioFile, FindsScenariosByFileFolderAndParent) {
               HasSubstr("no such file or folder"));
 }
 
+TEST_F(ScenarioFile, RoundTripOfSeveralTargets) {
+  Scenario written = pictureScenario(3);
+  written.target.reset();
+  written.targets = {3, 1};
+  writeScenario(folder_ / "pictures", written, std::nullopt);
+  EXPECT_EQ(readScenario(folder_ / "pictures").targets, written.targets);
+  GivenSymbols given;
+  given.fill(SymbolId{1});
+  GivenSymbols goal = given;
+  goal[index(Concept::kColor)] = std::vector<double>{0.25, 0.75};
+  written.input = SymbolInput{{given, given, given}, {}, {given, goal}};
+  writeScenario(folder_ / "symbols", written, std::nullopt);
+  const Scenario read = readScenario(folder_ / "symbols");
+  EXPECT_EQ(read.targets, written.targets);
+  EXPECT_EQ(std::get<SymbolInput>(read.input).goals, (std::vector<GivenSymbols>{given, goal}));
+}
+
+TEST_F(ScenarioFile, SeveralTargetsHaveAPlannerOfTheirOwn) {
+  folder_.write("scenario.yaml", head_ + pictures_ + "targets: [1, 2]\n");
+  EXPECT_EQ(readScenario(folder_.path()).planner.name, "astar");
+  folder_.write("scenario.yaml", head_ + pictures_ + "targets: [1, 2]\nplanner: {name: greedy}\n");
+  EXPECT_EQ(readScenario(folder_.path()).planner.name, "greedy");
+}
+
+TEST_F(ScenarioFile, FaultsOfSeveralTargetsAreNamed) {
+  EXPECT_THAT(faultsOfText(head_ + pictures_ + "targets: [1]\n"),
+              HasSubstr(":5:10: targets: expected a list of at least 2 instance ids, found a list "
+                        "of 1"));
+  EXPECT_THAT(faultsOfText(head_ + pictures_ + "targets: 1\n"), HasSubstr("found \"1\""));
+  const std::string faults = faultsOfText(
+      head_ + pictures_ + "targets: [1, 1, 0, 9]\ntarget: 1\nrefine: {clearance_m: 0.01}\n");
+  EXPECT_THAT(faults, HasSubstr(":5:14: targets: instance 1 is given twice"));
+  EXPECT_THAT(faults,
+              HasSubstr(":5:17: targets: expected an instance id in [1, 255], found \"0\""));
+  EXPECT_THAT(faults, HasSubstr("targets: instance 9 is not in the initial mask"));
+  EXPECT_THAT(faults, HasSubstr(":6:9: target: cannot stand beside targets"));
+  EXPECT_THAT(faults, HasSubstr("refine: a plan for several targets cannot be refined"));
+}
+
+TEST_F(ScenarioFile, SeveralTargetsInSymbolsHaveAGoalEach) {
+  const std::string initial =
+      "initial: {symbols: {objects: [" + kSymbols + ", " + kSymbols + "]}}\ntargets: [1, 2]\n";
+  EXPECT_THAT(faultsOfText(head_ + initial + "goal: {symbols: " + kSymbols + "}\n"),
+              HasSubstr("goal.symbols: expected a list with what each of the 2 targets should "
+                        "become, found a map"));
+  EXPECT_THAT(faultsOfText(head_ + initial + "goal: {symbols: [" + kSymbols + "]}\n"),
+              HasSubstr("found a list of 1"));
+  EXPECT_THAT(faultsOfText(head_ + initial + "goal: {symbols: [" + kSymbols + ", {type: 1}]}\n"),
+              HasSubstr("goal.symbols[1].color: the key is missing"));
+  EXPECT_THAT(
+      faultsOfText(head_ + "initial: {symbols: {objects: [" + kSymbols +
+                   "]}}\ntargets: [1, 2]\ngoal: {symbols: [" + kSymbols + ", " + kSymbols + "]}\n"),
+      HasSubstr("targets: expected objects in [1, 1], found 2"));
+}
+
 }  // namespace
 }  // namespace conceptplan

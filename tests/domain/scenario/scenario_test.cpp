@@ -64,5 +64,35 @@ TEST(Scenario, FaultKnowsTheLineOfItsKey) {
   EXPECT_EQ(scenario.fault("model", "absent").text(), "s.yaml: model: absent");
 }
 
+Scenario twoTargetScenario() {
+  Scenario scenario = symbolScenario();
+  scenario.input = SymbolInput{{symbols(0), symbols(1)}, {}, {symbols(2), symbols(0)}};
+  scenario.target.reset();
+  scenario.targets = {2, 1};
+  return scenario;
+}
+
+TEST(JointProblemOf, EachTargetHasItsGoal) {
+  const JointProblem problem = jointProblemOf(twoTargetScenario(), kConceptCardinality);
+  ASSERT_EQ(problem.objects.size(), 2u);
+  ASSERT_EQ(problem.targets.size(), 2u);
+  EXPECT_EQ(problem.targets[0].object, 1u);
+  EXPECT_EQ(problem.targets[0].name, "object 2");
+  EXPECT_THAT(problem.targets[0].goal[index(Concept::kPositionX)], ElementsAre(0, 0, 1));
+  EXPECT_THAT(problem.targets[1].goal[index(Concept::kPositionX)], ElementsAre(1, 0, 0));
+}
+
+TEST(JointProblemOf, NamesWhatIsWrong) {
+  Scenario scenario = twoTargetScenario();
+  scenario.targets[1] = 3;
+  std::get<SymbolInput>(scenario.input).goals[1] = symbols(3);
+  const std::string faults = faultsOf([&] { jointProblemOf(scenario, kConceptCardinality); });
+  EXPECT_THAT(faults, HasSubstr("goal.symbols[1].position_x: expected a symbol of the model"));
+  EXPECT_THAT(faults, HasSubstr("targets: expected an object in [1, 2], found 3"));
+  EXPECT_THROW(jointProblemOf(symbolScenario(), kConceptCardinality), std::invalid_argument);
+  EXPECT_THAT(faultsOf([&] { problemOf(twoTargetScenario(), kConceptCardinality); }),
+              HasSubstr("targets: several targets, where one is expected"));
+}
+
 }  // namespace
 }  // namespace conceptplan

@@ -107,5 +107,27 @@ TEST(Judge, FailuresHaveNames) {
   EXPECT_EQ(name(Failure::kWrongRotation), "wrong_rotation");
 }
 
+/// The egg of the small task is to come one cell nearer and to turn to the right as well.
+Task twoTargetTask(int level) {
+  Task task = smallTask(level);
+  task.further = {{2, {ObjectType::kEgg, {2, 0}, 3, 0, 0}}};
+  task.moved = {0, 0, 0, 0, 2, 2};
+  task.reference.insert(task.reference.end(), {kMoveBack, kRotateRight});
+  return task;
+}
+
+TEST(Judge, EachOfSeveralTargetsMustHaveItsGoal) {
+  const Task task = twoTargetTask(4);
+  EXPECT_TRUE(judge(task, task.reference, task.moved).succeeded());
+  EXPECT_EQ(judge(task, task.reference, task.moved).efficiency, 1.0);
+  const ActionSequence unturned(task.reference.begin(), task.reference.end() - 1);
+  const std::vector<std::size_t> moved(task.moved.begin(), task.moved.end() - 1);
+  EXPECT_EQ(judge(task, unturned, moved).failure, Failure::kWrongRotation);
+  EXPECT_TRUE(judge(twoTargetTask(3), unturned, moved).succeeded());
+  const Judgement first_alone = judge(task, smallTask(4).reference);
+  EXPECT_EQ(first_alone.failure, Failure::kWrongPosition);
+  EXPECT_EQ(first_alone.final_distance, 1.0);
+}
+
 }  // namespace
 }  // namespace conceptplan

@@ -95,5 +95,34 @@ TEST(ReferencePlanner, TypeAndSizeCannotBeReached) {
   EXPECT_THROW(shortestPlan(world, goal, random), std::invalid_argument);
 }
 
+TEST(ShortestJointPlan, IsThatOfTheTargetWhereThereIsOne) {
+  const TaskGenerator generator({.level = 4, .seed = 12});
+  for (int i = 0; i < 30; ++i) {
+    const Task task = generator.task(i);
+    EXPECT_EQ(shortestJointPlan(task)->actions.size(), task.reference.size()) << task.id;
+  }
+}
+
+TEST(ShortestJointPlan, OneStepsAsideForTheOther) {
+  // Two cups swap in a row with one free cell beside its middle.
+  Task task;
+  task.initial.workbench = {3, 2, 0.2};
+  task.initial.objects = {{ObjectType::kCup, {0, 0}, 0, 0, 0},
+                          {ObjectType::kCup, {2, 0}, 0, 1, 0},
+                          {ObjectType::kEgg, {0, 1}, 0, 0, 0},
+                          {ObjectType::kEgg, {2, 1}, 0, 0, 0}};
+  task.goal = {ObjectType::kCup, {2, 0}, 0, 0, 0};
+  task.further = {{1, {ObjectType::kCup, {0, 0}, 0, 1, 0}}};
+  const std::optional<JointSequence> plan = shortestJointPlan(task);
+  ASSERT_TRUE(plan.has_value());
+  EXPECT_EQ(plan->actions.size(), 6u);
+  const Replay result = replay(task.initial, plan->actions, plan->moved);
+  EXPECT_TRUE(result.succeeded());
+  EXPECT_EQ(result.world.objects[0], task.goal);
+  EXPECT_EQ(result.world.objects[1], task.further[0].goal);
+  task.initial.objects.push_back({ObjectType::kEgg, {1, 1}, 0, 0, 0});
+  EXPECT_FALSE(shortestJointPlan(task).has_value());
+}
+
 }  // namespace
 }  // namespace conceptplan

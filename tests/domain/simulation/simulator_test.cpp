@@ -158,5 +158,19 @@ TEST(Simulator, ObstructionsHaveTheNamesOfFailures) {
   EXPECT_EQ(name(Obstruction::kNoDyer), "no_dyer");
 }
 
+TEST(Replay, MovesTheObjectThatIsNamed) {
+  // The egg makes way for the cup.
+  const std::vector<std::size_t> moved{0, 1, 1};
+  const Replay result = replay(smallWorld(), {kMoveBack, kMoveLeft, kRotateLeft}, moved);
+  EXPECT_TRUE(result.succeeded());
+  EXPECT_EQ(result.world.objects[0].cell, (Cell{0, 1}));
+  EXPECT_EQ(result.world.objects[1].cell, (Cell{0, 2}));
+  EXPECT_EQ(result.world.objects[1].rotation, 0);
+  EXPECT_EQ(replay(smallWorld(), {kMoveLeft}, std::vector<std::size_t>{1}).obstacle, 0u);
+  EXPECT_THROW(replay(smallWorld(), {kMoveLeft}, moved), std::invalid_argument);
+  EXPECT_THROW(replay(smallWorld(), {kMoveLeft}, std::vector<std::size_t>{3}),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace conceptplan

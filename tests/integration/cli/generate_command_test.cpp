@@ -5,6 +5,7 @@
 #include "conceptplan/domain/dataset/task_dataset.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "conceptplan/domain/simulation/judgement.hpp"
 #include "conceptplan/domain/simulation/simulator.hpp"
 #include "domain/files/temporary_folder.hpp"
 #include "integration/cli/command_runner.hpp"
@@ -140,6 +141,26 @@ TEST(ScenarioGeneration, SymbolsFollowTheNamesOfTheModel) {
   grounding.names[index(Concept::kType)].clear();
   EXPECT_THAT(faultsOf([&] { symbolsOf(red, grounding); }),
               HasSubstr("TYPE: the model has no symbol named \"Cup\""));
+}
+
+TEST(ScenarioGeneration, TwoTargetsHaveAGoalAndAPlan) {
+  ScenarioSetOptions options;
+  options.tasks.level = 3;
+  options.targets = 2;
+  for (int i = 0; i < 10; ++i) {
+    const Task task = drawReference(options, i).task;
+    EXPECT_EQ(task.further.size(), 1u);
+    EXPECT_TRUE(judge(task, task.reference, task.moved).succeeded());
+  }
+  EXPECT_EQ(scenarioName(options, 0), "level3x2-0001");
+}
+
+TEST(GenerateScenarios, TwoTargetsAreRefusedWhereThereIsNoObstacle) {
+  const TemporaryFolder folder;
+  const CommandResult result =
+      runCommand({"generate", "scenarios", "--targets", "2", "--out", folder.path().string()});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.error, HasSubstr("--targets: 2 need --level 2..4"));
 }
 
 }  // namespace

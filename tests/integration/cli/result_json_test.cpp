@@ -119,5 +119,16 @@ TEST(ResultJson, TableNamesTheScenarioAndTheVerdict) {
   EXPECT_EQ(table[3][5], "-");
 }
 
+TEST(ResultJson, PlansOfSeveralTargetsSayWhatEachActionMoves) {
+  Solution solution = solved({{Action::kMoveFront, Action::kMoveLeft}});
+  solution.targets.resize(2);
+  solution.instances = {4, 7, 9};
+  solution.result.plans[0].moved = {2, 0};
+  const Json json = resultJson(kKey, solution);
+  EXPECT_EQ(json["plans"][0]["objects"].dump(), "[9,4]");
+  EXPECT_EQ(actionsText(json["plans"][0]), "9:move_front 4:move_left");
+  EXPECT_THAT(toCsv({json}), HasSubstr("9:move_front 4:move_left"));
+}
+
 }  // namespace
 }  // namespace conceptplan::cli

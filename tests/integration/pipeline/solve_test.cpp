@@ -57,5 +57,32 @@ TEST(SolveScenario, RefusesATargetThatIsHiddenInTheGoal) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("goal picture")));
 }
 
+TEST(SolveScenario, SolvesForSeveralTargetsFromPictures) {
+  const Scenario scenario = shipped("level3x2-0001");
+  const Solution solution = solveScenario(scenario, shippedModel(), JointPlanner());
+  ASSERT_EQ(solution.result.status, PlanStatus::kSolved) << solution.result.reason;
+  EXPECT_EQ(solution.targets.size(), 2u);
+  ASSERT_TRUE(solution.evaluation.has_value());
+  EXPECT_TRUE(solution.evaluation->best.succeeded());
+  const Plan& best = solution.result.plans.front();
+  EXPECT_EQ(best.moved.size(), best.actions.size());
+  EXPECT_EQ(solution.frames.size(), best.actions.size());
+  const Report report = reportOf(scenario, shippedModel(), solution, "astar", 0);
+  EXPECT_EQ(report.frames.size(), best.actions.size());
+  EXPECT_THAT(renderReport(report), testing::HasSubstr("targets are round"));
+  EXPECT_THAT([&] { solveScenario(scenario, shippedModel(), BeliefPlanner()); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("targets: several targets")));
+  EXPECT_THROW(solveScenario(shipped("level1-0001"), shippedModel(), JointPlanner()),
+               std::invalid_argument);
+}
+
+TEST(SolveScenario, RefusesOneOfSeveralTargetsThatIsHiddenInTheGoal) {
+  Scenario scenario = shipped("level3x2-0001");
+  auto& goal = std::get<PictureInput>(scenario.input).goal;
+  std::replace(goal.mask.begin(), goal.mask.end(), scenario.targets[1], std::uint8_t{0});
+  EXPECT_THAT([&] { solveScenario(scenario, shippedModel(), JointPlanner()); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("goal picture")));
+}
+
 }  // namespace
 }  // namespace conceptplan

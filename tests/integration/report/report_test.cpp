@@ -200,5 +200,25 @@ TEST_F(ReportFile, OpensInABrowserWithEveryPictureLoaded) {
 }
 #endif
 
+TEST(Report, SaysWhichOfSeveralTargetsEachActionMoves) {
+  Report report = sampleReport();
+  report.frames.clear();
+  report.targets = {{0, report.problem.goal}, {1, report.problem.initial.objects[1]}};
+  report.targets[1].goal[index(Concept::kPositionX)] = {1, 0, 0};
+  Plan plan = report.result.plans.front();
+  plan.actions.push_back(Action::kMoveLeft);
+  plan.predicted.push_back(mostProbable(report.targets[1].goal));
+  plan.moved = {0, 0, 0, 0, 0, 0, 1};
+  report.result.plans = {plan};
+  const std::string page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("Pot 2: move left</h3>"));
+  EXPECT_THAT(page, HasSubstr("column 1 → column 0"));
+  EXPECT_EQ(count(page, "class=\"goal-mark\""), 2U);
+  EXPECT_EQ(count(page, "<span class=\"tag\">goal</span>"), 2U);
+  EXPECT_THAT(page, HasSubstr("targets are round"));
+  report.result.plans[0].moved.pop_back();
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("7 actions for 2 targets moves 6 times"));
+}
+
 }  // namespace
 }  // namespace conceptplan

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "conceptplan/domain/concept.hpp"
@@ -40,6 +41,21 @@ struct SymbolicScene {
 struct SymbolicProblem {
   SymbolicScene initial;
   SymbolBelief goal;
+};
+
+/// An object to be moved, and what it should become.
+struct TargetGoal {
+  std::size_t object = 0;  ///< index into the objects of the problem
+  SymbolBelief goal;
+  std::string name = "";  ///< what a reason calls the object; empty: its index
+};
+
+/// A task of several targets on one workbench. Each action moves one of them; the others stand
+/// still meanwhile, and are in its way.
+struct JointProblem {
+  Workbench workbench;
+  std::vector<SymbolBelief> objects;
+  std::vector<TargetGoal> targets;  ///< at least one; each another object
 };
 
 }  // namespace conceptplan

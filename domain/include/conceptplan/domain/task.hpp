@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "conceptplan/domain/action.hpp"
 #include "conceptplan/domain/world.hpp"
@@ -30,6 +31,13 @@ std::optional<ObjectSet> objectSetNamed(std::string_view name);
 std::optional<Combination> combinationNamed(std::string_view name);
 std::optional<RenderDomain> renderDomainNamed(std::string_view name);
 
+/// One more object that a task moves, and what it must become.
+struct FurtherTarget {
+  std::size_t object = 0;  ///< index into the world's objects
+  ObjectState goal;
+  bool operator==(const FurtherTarget&) const = default;
+};
+
 /// One causal planning task. Source: Sec. II-B of arXiv 2310.03325.
 struct Task {
   std::string id;                ///< unique in its dataset, e.g. "level3-000017"
@@ -38,6 +46,10 @@ struct Task {
   ObjectState goal;              ///< what the target must become
   ActionSequence reference;      ///< a shortest plan
   std::uint64_t appearance = 0;  ///< seed of textures, light and colour samples
+  /// Targets beside `initial.target`; empty but in tasks of several targets.
+  std::vector<FurtherTarget> further = {};
+  /// The object that each action of `reference` moves; empty: all move `initial.target`.
+  std::vector<std::size_t> moved = {};
 };
 
 }  // namespace conceptplan

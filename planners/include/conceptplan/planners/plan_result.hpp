@@ -29,6 +29,9 @@ struct Plan {
   double probability = 0;          ///< of reaching the goal symbols with every step legal, [0, 1]
   double cost = 0;                 ///< what the planner minimised
   std::vector<Symbols> predicted;  ///< most probable symbols after each step, [actions]
+  /// The object that each action moves, by index into the scene, [actions]; `predicted` has its
+  /// symbols. Empty in a plan for one target.
+  std::vector<std::size_t> moved = {};
 
   bool operator==(const Plan&) const = default;
 };

@@ -22,6 +22,9 @@ struct PlanQuery {
   std::uint64_t seed = 0;  ///< for planners that draw
 };
 
+/// @throws std::invalid_argument if the query asks for no plan, or a limit is not positive.
+void checkQuery(const PlanQuery& query);
+
 /// Finds action sequences in a compiled problem. Same graph, query and options: same result, as
 /// long as no time limit strikes. Planners keep no state between calls; threads may share one.
 /// A planner of one's own overrides `search`, most easily by `planByPaths`; docs/api.md shows one.
@@ -29,7 +32,7 @@ class Planner {
  public:
   virtual ~Planner() = default;
 
-  /// @throws std::invalid_argument if the query asks for no plan, or a limit is not positive.
+  /// @throws std::invalid_argument as `checkQuery`.
   PlanResult solve(const SymbolGraph& graph, const PlanQuery& query) const;
 
  private:

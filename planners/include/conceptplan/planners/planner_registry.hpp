@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "conceptplan/planners/joint_planner.hpp"
 #include "conceptplan/planners/planner.hpp"
 #include "conceptplan/planners/planner_option.hpp"
 
@@ -19,6 +20,8 @@ struct PlannerEntry {
   std::vector<std::string> guarantees;  ///< what holds of its answers
   std::vector<PlannerOption> options;
   std::function<std::unique_ptr<Planner>(const OptionValues&)> make;
+  /// The same search for several targets; empty if there is none.
+  std::function<JointPlanner(const OptionValues&)> make_joint = {};
 };
 
 /// The planners by name. A value: programs may add planners of their own to a copy.
@@ -43,7 +46,14 @@ class PlannerRegistry {
   std::unique_ptr<Planner> make(const std::string& name, const OptionTexts& options = {},
                                 const std::string& path = "") const;
 
+  /// The planner of several targets.
+  /// @throws InputError as `make`, and for a planner of one target, naming those of several.
+  JointPlanner makeJoint(const std::string& name, const OptionTexts& options = {},
+                         const std::string& path = "") const;
+
  private:
+  const PlannerEntry& entryNamed(const std::string& name, const std::string& path) const;
+
   std::vector<PlannerEntry> entries_;
 };
 

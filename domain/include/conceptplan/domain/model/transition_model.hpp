@@ -50,6 +50,9 @@ class TransitionModel {
   /// The distribution of the next symbol, [cardinality of the concept].
   std::vector<double> distribution(Action action, Concept which,
                                    const Surroundings& surroundings) const;
+  /// The same for a joint value of the effect's context and the target's own symbol.
+  std::vector<double> distribution(Action action, Concept which, std::size_t joint_value,
+                                   SymbolId own) const;
 
   /// False where the action takes a symbol from an object that is not on the workbench: then it
   /// has no effect that was ever seen, and it is not legal.

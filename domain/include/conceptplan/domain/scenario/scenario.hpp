@@ -27,8 +27,9 @@ struct PictureInput {
 
 /// A task told in symbols of the model. Object i has the instance id i + 1.
 struct SymbolInput {
-  std::vector<GivenSymbols> objects;  ///< at least one
-  GivenSymbols goal;                  ///< what the target should become
+  std::vector<GivenSymbols> objects;     ///< at least one
+  GivenSymbols goal;                     ///< what the target should become; not read for several
+  std::vector<GivenSymbols> goals = {};  ///< of each of the scenario's `targets`; else empty
 };
 
 struct PlannerChoice {
@@ -50,6 +51,8 @@ struct Scenario {
   std::string model = "default";  ///< a shipped model's name, or a folder
   std::variant<PictureInput, SymbolInput> input;
   std::optional<std::uint8_t> target;  ///< instance id; nothing: the one whose symbols differ
+  /// Instance ids, each once, of several objects to be moved; empty: `target` alone.
+  std::vector<std::uint8_t> targets;
   PlannerChoice planner;
   std::optional<double> refine_clearance_m;  ///< nothing: no refinement wanted
   bool render = true;
@@ -64,9 +67,15 @@ struct Scenario {
 
 /// The planner's problem of a scenario told in symbols, on the standard workbench.
 /// @param cardinality number of symbols of each concept in the model
-/// @throws InputError with ALL symbols that the model does not have.
+/// @throws InputError with ALL symbols that the model does not have, and for several targets.
 /// @throws std::invalid_argument if the scenario is told in pictures.
 SymbolicProblem problemOf(const Scenario& scenario,
                           const std::array<std::size_t, kNumConcepts>& cardinality);
+
+/// The same of a scenario with several targets; reasons call them "object ID".
+/// @throws InputError with ALL symbols that the model does not have.
+/// @throws std::invalid_argument if the scenario is told in pictures, or has no `targets`.
+JointProblem jointProblemOf(const Scenario& scenario,
+                            const std::array<std::size_t, kNumConcepts>& cardinality);
 
 }  // namespace conceptplan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "conceptplan/domain/action.hpp"
@@ -34,15 +35,18 @@ struct Judgement {
 
   /// Distance in cells from the last position to the goal's (FSD). The position follows all moves
   /// of the plan, on and beyond the workbench and through other objects; without a plan it is
-  /// where the target starts.
+  /// where the target starts. Of several targets it is the sum.
   double final_distance = 0;
 
   bool succeeded() const { return !failure; }
 };
 
 /// Replays a plan from the true initial state. A plan with an illegal action fails. Levels 1 and 2
-/// ask for the goal's position, level 3 for its colour also, level 4 for its rotation also.
-/// @throws std::invalid_argument for a level outside 1 to 4.
-Judgement judge(const Task& task, const std::optional<ActionSequence>& plan);
+/// ask for the goal's position, level 3 for its colour also, level 4 for its rotation also; each of
+/// several targets must have its goal's.
+/// @param moved the object that each action moves; empty: all move the task's target
+/// @throws std::invalid_argument for a level outside 1 to 4, or as `replay`.
+Judgement judge(const Task& task, const std::optional<ActionSequence>& plan,
+                std::span<const std::size_t> moved = {});
 
 }  // namespace conceptplan

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -52,6 +53,13 @@ struct Replay {
 
 /// Carries out actions until one is illegal. `replay(w, {})` leaves `w` as it is, and
 /// `replay(w, a + b) == replay(replay(w, a).world, b)` for legal `a`.
-Replay replay(World world, const ActionSequence& actions);
+/// @param moved the object that each action moves, which becomes the world's target; empty: all
+///   move its target
+/// @throws std::invalid_argument if these are more or fewer than the actions, or no objects.
+Replay replay(World world, const ActionSequence& actions, std::span<const std::size_t> moved = {});
+
+/// The object that action `step` of a sequence moves: `moved[step]`, or the world's target if
+/// `moved` is empty.
+std::size_t movedObject(const World& world, std::span<const std::size_t> moved, std::size_t step);
 
 }  // namespace conceptplan

@@ -60,9 +60,11 @@ class Model {
 
   /// The picture, depth and mask after each step of a plan, as ViCT predicts them, [actions].
   /// Tokens go through the causal transition; one that then reads as another symbol than the plan
-  /// predicts is replaced by the centre of the predicted one, so that errors do not add up.
-  /// @throws std::invalid_argument if the target is not seen in the picture, or the plan has no
-  /// predicted symbols.
+  /// predicts is replaced by the centre of the predicted one, so that errors do not add up. A plan
+  /// that says what each action moves, by position in the percept, moves that in place of the
+  /// target; each turn to another object is drawn into the last frame before it.
+  /// @throws std::invalid_argument if the target is not seen in the picture, or another object that
+  /// moves is hidden in the frame; if the plan has no predicted symbols.
   std::vector<RgbdImage> render(const RgbdImage& initial, const Percept& percept,
                                 std::uint8_t target, const Plan& plan) const;
 

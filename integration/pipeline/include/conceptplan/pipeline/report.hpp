@@ -38,6 +38,7 @@ struct Report {
   RgbdImage initial;    ///< with its mask; width 0 if the task was told in symbols
   RgbdImage goal;
   SymbolicProblem problem;              ///< what was read of the pictures
+  std::vector<TargetGoal> targets;      ///< all of several; empty: the problem's one
   std::vector<std::uint8_t> instances;  ///< mask id of each object of the problem; empty: 1, 2, ...
   SymbolGrounding grounding;            ///< names and places of the symbols
   std::vector<std::string> doubts;      ///< sentences on symbols that are guesses
@@ -52,9 +53,10 @@ struct Report {
 
 /// One self-contained HTML page: no script, no network, pictures as data: URIs. Equal reports give
 /// equal pages.
-/// @throws std::invalid_argument if the target or the object of a rejection is not among the
-///   objects, the best plan has other than one predicted state and, if any, one pair of frames an
-///   action, or a picture's channels do not fit its size.
+/// @throws std::invalid_argument if a target, a moved object or the object of a rejection is not
+///   among the objects, the best plan has other than one predicted state and, if any, one pair of
+///   frames an action, a plan for several targets has other than one moved object an action, or a
+///   picture's channels do not fit its size.
 std::string renderReport(const Report& report);
 
 /// Writes the page atomically. @throws as `renderReport` and `writeFileAtomically`.

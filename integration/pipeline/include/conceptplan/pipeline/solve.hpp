@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "conceptplan/nlopt/refiner.hpp"
 #include "conceptplan/pipeline/model.hpp"
 #include "conceptplan/pipeline/report.hpp"
+#include "conceptplan/planners/joint_planner.hpp"
 #include "conceptplan/planners/planner.hpp"
 
 namespace conceptplan {
@@ -41,10 +43,12 @@ struct StageTimes {
 
 /// All that came of one scenario.
 struct Solution {
-  SymbolicProblem problem;
+  SymbolicProblem problem;  ///< with several targets, that of the first one
+  /// All of several targets; empty where there is one.
+  std::vector<TargetGoal> targets;
   std::vector<std::uint8_t> instances;  ///< mask id of each object of the problem
   std::vector<std::string>
-      doubts;  ///< what in the pictures fits no learned symbol, a sentence each
+      doubts;  ///< what in the pictures fits no learned symbol, and what was left undone
   PlanResult result;
   std::optional<RefinementResult> refinement;  ///< of the best plan, if the scenario asks for one
   std::vector<RgbdImage> frames;  ///< as `Model::render`, of the best plan; empty if not rendered
@@ -55,18 +59,30 @@ struct Solution {
 /// From pictures (or given symbols) to plans and frames: perceive, compile with FCL validity,
 /// search, refine, render, and judge if there is a reference. Thread-safe.
 /// @throws InputError if the scenario does not fit the model, or its target cannot be told or is
-/// hidden.
+/// hidden; if it has several targets.
 Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,
                        const SolveOptions& options = {});
 
+/// The same for a scenario with several targets. Its plans are not refined.
+/// @throws InputError as above; std::invalid_argument if the scenario has no `targets`.
+Solution solveScenario(const Scenario& scenario, const Model& model, const JointPlanner& planner,
+                       const SolveOptions& options = {});
+
 /// Judges plans, the best first, on the task that they are to solve.
-Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans);
+/// @param instances mask id of each object that `Plan::moved` counts; none if there is one target.
+Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans,
+                        std::span<const std::uint8_t> instances = {});
 
 /// The problem that two pictures pose, as the model reads them. `target` is an instance id; without
 /// one it is the object whose symbols differ most between the pictures.
 /// @throws std::invalid_argument if the target is not seen in both pictures, or there is none.
 SymbolicProblem problemOf(const Percept& initial, const Percept& goal,
                           std::optional<std::uint8_t> target);
+
+/// The same for several targets; reasons call them "object ID".
+/// @throws std::invalid_argument if a target is not seen in both pictures.
+JointProblem jointProblemOf(const Percept& initial, const Percept& goal,
+                            std::span<const std::uint8_t> targets);
 
 /// The page of a solution: pictures, symbols, plans, the refined motion, frames beside the
 /// simulator's where there is a reference, rejections, times. `planner` is the planner's name.

@@ -1,0 +1,142 @@
+#include "conceptplan/planners/joint_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "belief_check.hpp"
+#include "joint_search.hpp"
+#include "option_range.hpp"
+#include "scene_readings.hpp"
+
+namespace conceptplan {
+namespace {
+
+void checkProblem(const JointProblem& problem, const ConceptCardinality& cardinality) {
+  if (problem.targets.empty()) throw std::invalid_argument("the problem has no targets");
+  for (std::size_t i = 0; i < problem.objects.size(); ++i) {
+    checkBelief(problem.objects[i], cardinality, "object " + std::to_string(i));
+  }
+  std::set<std::size_t> seen;
+  for (const TargetGoal& target : problem.targets) {
+    const std::string object = std::to_string(target.object);
+    if (target.object >= problem.objects.size()) {
+      throw std::invalid_argument("a target is object " + object + " of " +
+                                  std::to_string(problem.objects.size()));
+    }
+    if (!seen.insert(target.object).second) {
+      throw std::invalid_argument("object " + object + " is a target twice");
+    }
+    checkBelief(target.goal, cardinality, "goal of object " + object);
+  }
+}
+
+/// Pr[the objects that are no targets are as most probably read], as far as it matters.
+double stillCertainty(const SymbolicModel& model, const JointProblem& problem,
+                      const CompileOptions& options) {
+  SymbolicScene scene{problem.workbench, {problem.objects[problem.targets.front().object]}, 0};
+  for (std::size_t i = 0; i < problem.objects.size(); ++i) {
+    const bool moves = std::any_of(problem.targets.begin(), problem.targets.end(),
+                                   [i](const TargetGoal& target) { return target.object == i; });
+    if (!moves) scene.objects.push_back(problem.objects[i]);
+  }
+  return probableReadings(model, scene, options).front().share;
+}
+
+/// Pr[starts and goals of the targets are as most probably read], as far as it matters.
+double targetCertainty(const JointSpace& space, const JointProblem& problem) {
+  double certainty = 1;
+  for (std::size_t i = 0; i < problem.targets.size(); ++i) {
+    const TargetGoal& target = problem.targets[i];
+    for (const Concept which : kConcepts) {
+      const std::size_t k = index(which);
+      const std::vector<double>& start = problem.objects[target.object][k];
+      if (space.target(i).isPart(which)) {
+        certainty *= *std::max_element(start.begin(), start.end());
+        certainty *= *std::max_element(target.goal[k].begin(), target.goal[k].end());
+      } else if (space.target(i).isFrozenHere(which)) {
+        certainty *= std::inner_product(start.begin(), start.end(), target.goal[k].begin(), 0.0);
+      }
+    }
+  }
+  return certainty;
+}
+
+Plan planOf(const JointSpace& space, const JointProblem& problem, const JointPath& path,
+            double certainty) {
+  Plan plan;
+  plan.cost = toNats(path.cost);
+  plan.probability = certainty;
+  for (const JointSuccessor& step : path.steps) {
+    plan.actions.push_back(step.step.action);
+    plan.moved.push_back(problem.targets[step.target].object);
+    plan.predicted.push_back(space.symbols(step.state, step.target));
+    plan.probability *= step.step.probability;
+  }
+  return plan;
+}
+
+}  // namespace
+
+JointPlanner::JointPlanner(const JointPlannerOptions& options) : options_(options) {
+  checkOptionRange("legality_threshold", options.legality_threshold, 0, 1);
+  checkOptionRange("step_discount", options.step_discount, 0, 0.5);
+}
+
+PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& problem,
+                               const StateValidity& validity, const PlanQuery& query) const {
+  checkQuery(query);
+  checkProblem(problem, model.cardinality());
+  const CompileOptions compile_options;
+  StepRules rules{options_.legality_threshold, compile_options.min_share,
+                  compile_options.frozen_tolerance, [](double) { return kNat; }};
+  if (!options_.count_actions) {
+    rules.cost = [step = toPathCost(-std::log1p(-options_.step_discount))](double probability) {
+      return toPathCost(-std::log(probability)) + step;
+    };
+  }
+  PlanResult result;
+  SearchGuard guard(query.limits);
+  JointSpace space(model, problem, validity, rules);
+  JointSearchOptions search{
+      1,
+      std::min(query.limits.horizon, std::size_t{kStepsPerRank - 1} / problem.targets.size()) *
+          problem.targets.size(),
+      options_.guided, options_.greedy};
+  std::vector<JointPath> paths;
+  if (space.contradiction().empty()) {
+    paths = bestJointPaths(space, search, guard, result.statistics);
+  }
+  if (!paths.empty() && query.top > 1) {
+    // That there is no way shows soonest when one is asked for; so the others are asked for now.
+    search.top = query.top;
+    std::vector<JointPath> more = bestJointPaths(space, search, guard, result.statistics);
+    if (!more.empty()) paths = std::move(more);
+  }
+  result.statistics.validity_checks = space.validityChecks();
+  if (!paths.empty()) {
+    const double certainty =
+        stillCertainty(model, problem, compile_options) * targetCertainty(space, problem);
+    for (const JointPath& path : paths) {
+      result.plans.push_back(planOf(space, problem, path, certainty));
+    }
+    result.status = PlanStatus::kSolved;
+    if (guard.stopped()) result.reason = guard.reason() + "; the best plans found so far";
+  } else if (guard.stopped()) {
+    result.status = *guard.stopped();
+    result.reason = guard.reason();
+  } else {
+    result.status = PlanStatus::kInfeasible;
+    result.reason = space.contradiction().empty()
+                        ? "no legal and valid steps lead all targets to their goals within " +
+                              std::to_string(search.horizon) + " actions"
+                        : space.contradiction();
+  }
+  return result;
+}
+
+}  // namespace conceptplan

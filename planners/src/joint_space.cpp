@@ -1,0 +1,207 @@
+#include "joint_space.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <stdexcept>
+#include <utility>
+
+namespace conceptplan {
+namespace {
+
+constexpr JointState kMostJointStates = std::numeric_limits<std::int64_t>::max();
+
+struct Reached {
+  JointRank rank;
+  TargetState state;
+  bool operator>(const Reached& other) const { return rank > other.rank; }
+};
+
+std::string nameOf(const TargetGoal& target) {
+  return target.name.empty() ? "object " + std::to_string(target.object) : target.name;
+}
+
+}  // namespace
+
+JointSpace::JointSpace(const SymbolicModel& model, const JointProblem& problem,
+                       const StateValidity& validity, const StepRules& rules)
+    : model_(model),
+      problem_(problem),
+      validity_(validity),
+      compatible_(problem.targets.size() * problem.targets.size()),
+      watching_steps_(problem.targets.size()) {
+  std::vector<bool> moves(problem.objects.size(), false);
+  for (const TargetGoal& target : problem.targets) moves[target.object] = true;
+  std::vector<Symbols> still;
+  for (std::size_t i = 0; i < problem.objects.size(); ++i) {
+    scene_.push_back(mostProbable(problem.objects[i]));
+    if (!moves[i]) still.push_back(scene_.back());
+  }
+  JointState states = 1;
+  for (std::size_t i = 0; i < problem.targets.size(); ++i) {
+    const TargetGoal& target = problem.targets[i];
+    targets_.emplace_back(model, scene_, moves, target.object, rules);
+    if (targets_[i].numStates() > kMostJointStates / states) {
+      throw std::invalid_argument("the joint states of " + std::to_string(problem.targets.size()) +
+                                  " targets cannot be counted in 63 bits");
+    }
+    stride_.push_back(states);
+    start_ += states * targets_[i].state(scene_[target.object]);
+    goal_ += states * targets_[i].state(mostProbable(target.goal));
+    states *= targets_[i].numStates();
+    checkStanding(i, still);
+  }
+  for (std::size_t i = 0; i < targets_.size(); ++i) to_goal_.push_back(ranksToGoal(i));
+  contradiction_ = findContradiction();
+}
+
+void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& still) {
+  const JointTarget& moved = targets_[target];
+  const std::array<bool, kNumConcepts> concepts = validity_.dependsOn();
+  Standing& standing = standing_.emplace_back();
+  std::unordered_map<std::uint64_t, std::size_t> views;
+  std::vector<Symbols> asked;
+  for (TargetState state = 0; state < moved.numStates(); ++state) {
+    Symbols seen = moved.symbols(0);
+    const Symbols symbols = moved.symbols(state);
+    for (std::size_t k = 0; k < kNumConcepts; ++k) {
+      if (concepts[k]) seen[k] = symbols[k];
+    }
+    const auto [view, is_new] = views.try_emplace(moved.state(seen), asked.size());
+    if (is_new) asked.push_back(symbols);
+    standing.view.push_back(view->second);
+  }
+  validity_checks_ += asked.size();
+  for (const Verdict& verdict :
+       validity_.checkAll(problem_.workbench, model_.grounding, asked, still)) {
+    standing.valid.push_back(verdict.valid());
+  }
+}
+
+/// Dijkstra's algorithm from the goal over the reversed possible steps.
+std::vector<JointRank> JointSpace::ranksToGoal(std::size_t target) const {
+  const JointTarget& moved = targets_[target];
+  struct Edge {
+    TargetState from;
+    JointRank rank;
+  };
+  std::vector<std::vector<Edge>> into(moved.numStates());
+  for (TargetState state = 0; state < moved.numStates(); ++state) {
+    for (const TargetStep& step : moved.possibleSteps(state)) {
+      if (stands(target, step.next)) into[step.next].push_back({state, rankOf(step.cost, 1)});
+    }
+  }
+  std::vector<JointRank> ranks(moved.numStates(), kOutOfReach);
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  const TargetState goal = part(goal_, target);
+  ranks[goal] = 0;
+  open.push({0, goal});
+  while (!open.empty()) {
+    const auto [rank, state] = open.top();
+    open.pop();
+    if (rank > ranks[state]) continue;
+    for (const Edge& edge : into[state]) {
+      if (rank + edge.rank >= ranks[edge.from]) continue;
+      ranks[edge.from] = rank + edge.rank;
+      open.push({ranks[edge.from], edge.from});
+    }
+  }
+  return ranks;
+}
+
+std::string JointSpace::findContradiction() {
+  std::string reason;
+  const auto add = [&reason](const std::string& sentence) {
+    reason += (reason.empty() ? "" : "; ") + sentence;
+  };
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const TargetGoal& target = problem_.targets[i];
+    const Symbols goal = mostProbable(target.goal);
+    bool frozen = false;
+    for (const Concept which : kConcepts) {
+      if (!targets_[i].isFrozenHere(which)) continue;
+      if (scene_[target.object][index(which)] == goal[index(which)]) continue;
+      frozen = true;
+      add(std::string(name(which)) + " of " + nameOf(target) +
+          " must change, and nothing here changes it");
+    }
+    if (!frozen && to_goal_[i][part(start_, i)] == kOutOfReach) {
+      add(nameOf(target) + " cannot get to its goal, wherever the other targets are");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool both_there =
+          part(start_, i) == part(goal_, i) && part(start_, j) == part(goal_, j);
+      if (both_there || compatible(j, part(goal_, j), i, part(goal_, i))) continue;
+      add("the goals of " + nameOf(problem_.targets[j]) + " and " + nameOf(target) +
+          " rule each other out");
+    }
+  }
+  return reason;
+}
+
+JointRank JointSpace::bound(JointState state) const {
+  JointRank sum = 0;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const JointRank rank = to_goal_[i][part(state, i)];
+    if (rank == kOutOfReach) return kOutOfReach;
+    sum += rank;
+  }
+  return sum;
+}
+
+bool JointSpace::compatible(std::size_t a, TargetState state_a, std::size_t b,
+                            TargetState state_b) {
+  if (a > b) return compatible(b, state_b, a, state_a);
+  const std::uint64_t key =
+      standing_[a].view[state_a] * standing_[b].valid.size() + standing_[b].view[state_b];
+  const auto [entry, is_new] = compatible_[a * targets_.size() + b].try_emplace(key, false);
+  if (is_new) {
+    ++validity_checks_;
+    const Symbols other = targets_[b].symbols(state_b);
+    entry->second =
+        validity_
+            .check(problem_.workbench, model_.grounding, targets_[a].symbols(state_a), {&other, 1})
+            .valid();
+  }
+  return entry->second;
+}
+
+std::span<const TargetStep> JointSpace::steps(JointState state, std::size_t target) {
+  const JointTarget& moved = targets_[target];
+  JointState key = part(state, target) * stride_[target];
+  bool watches = false;
+  for (std::size_t j = 0; j < targets_.size(); ++j) {
+    if (j == target || !moved.watches(problem_.targets[j].object)) continue;
+    watches = true;
+    key += part(state, j) * stride_[j];
+  }
+  if (!watches) return moved.possibleSteps(part(state, target));
+  const auto [entry, is_new] = watching_steps_[target].try_emplace(key);
+  if (is_new) {
+    std::vector<Symbols> others = scene_;
+    for (std::size_t j = 0; j < targets_.size(); ++j) {
+      others[problem_.targets[j].object] = symbols(state, j);
+    }
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(problem_.targets[target].object));
+    entry->second = moved.steps(part(state, target), others);
+  }
+  return entry->second;
+}
+
+void JointSpace::successors(JointState state, std::vector<JointSuccessor>& next) {
+  next.clear();
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const TargetState from = part(state, i);
+    for (const TargetStep& step : steps(state, i)) {
+      if (!stands(i, step.next)) continue;
+      bool free = true;
+      for (std::size_t j = 0; free && j < targets_.size(); ++j) {
+        free = j == i || compatible(i, step.next, j, part(state, j));
+      }
+      if (free) next.push_back({i, step, state + step.next * stride_[i] - from * stride_[i]});
+    }
+  }
+}
+
+}  // namespace conceptplan

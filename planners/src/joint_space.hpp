@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "conceptplan/planners/state_validity.hpp"
+#include "joint_target.hpp"
+
+namespace conceptplan {
+
+/// The states of all targets, packed to one number.
+using JointState = std::uint64_t;
+
+/// One way out of a joint state.
+struct JointSuccessor {
+  std::size_t target = 0;  ///< index into the problem's targets
+  TargetStep step;
+  JointState state = 0;
+};
+
+/// A cost and, behind it, a number of steps: the shorter one of two ways of equal cost is less.
+using JointRank = std::int64_t;
+inline constexpr JointRank kStepsPerRank = 1 << 14;
+
+constexpr JointRank rankOf(PathCost cost, std::size_t steps) {
+  return cost * kStepsPerRank + static_cast<JointRank>(steps);
+}
+
+/// The product of the targets' states, never built: steps are worked out state by state, and what
+/// may be asked again is kept. Objects have their most probable symbols, actions their most
+/// probable outcome. For one thread; keeps references.
+class JointSpace {
+ public:
+  /// @throws std::invalid_argument if the joint states cannot be counted in 63 bits.
+  JointSpace(const SymbolicModel& model, const JointProblem& problem, const StateValidity& validity,
+             const StepRules& rules);
+
+  std::size_t numTargets() const { return targets_.size(); }
+  const JointTarget& target(std::size_t i) const { return targets_[i]; }
+  JointState start() const { return start_; }
+  JointState goal() const { return goal_; }
+  std::size_t validityChecks() const { return validity_checks_; }
+
+  /// Most probable symbols of a target in a state.
+  Symbols symbols(JointState state, std::size_t target) const {
+    return targets_[target].symbols(part(state, target));
+  }
+
+  /// Replaces the vector's content by all ways out of the state, by target, then by action.
+  void successors(JointState state, std::vector<JointSuccessor>& next);
+
+  /// A lower bound of the rank of every way to the goal: the sum over the targets of the least rank
+  /// at which each gets to its goal with the other targets out of its way, and where they serve it
+  /// best. Admissible and consistent, since a step moves one target, and is one of its possible
+  /// steps. kOutOfReach where a target cannot get there.
+  JointRank bound(JointState state) const;
+
+  /// Why there is no way to the goal, as far as it shows without a search; empty if it does not.
+  std::string contradiction() const { return contradiction_; }
+
+ private:
+  struct Standing {
+    std::vector<std::size_t> view;  ///< of each state: its number among those checked together
+    std::vector<bool> valid;        ///< among the objects that are no targets, [views]
+  };
+
+  TargetState part(JointState state, std::size_t target) const {
+    return static_cast<TargetState>(state / stride_[target] % targets_[target].numStates());
+  }
+  void checkStanding(std::size_t target, const std::vector<Symbols>& still);
+  std::vector<JointRank> ranksToGoal(std::size_t target) const;
+  std::string findContradiction();
+  bool stands(std::size_t target, TargetState state) const {
+    return standing_[target].valid[standing_[target].view[state]];
+  }
+  bool compatible(std::size_t a, TargetState state_a, std::size_t b, TargetState state_b);
+  std::span<const TargetStep> steps(JointState state, std::size_t target);
+
+  const SymbolicModel& model_;
+  const JointProblem& problem_;
+  const StateValidity& validity_;
+  std::vector<Symbols> scene_;
+  std::vector<JointTarget> targets_;
+  std::vector<JointState> stride_;
+  std::vector<Standing> standing_;
+  std::vector<std::vector<JointRank>> to_goal_;  // [targets][states]
+  JointState start_ = 0;
+  JointState goal_ = 0;
+  std::string contradiction_;
+  std::size_t validity_checks_ = 0;
+  std::vector<std::unordered_map<std::uint64_t, bool>> compatible_;  // [pairs of targets]
+  std::vector<std::unordered_map<JointState, std::vector<TargetStep>>>
+      watching_steps_;  // [targets]
+};
+
+}  // namespace conceptplan
