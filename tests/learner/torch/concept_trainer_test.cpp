@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "conceptplan/learner/torch/encoder_batch.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "learner/random_crops.hpp"
 
@@ -96,6 +97,35 @@ TEST(ConceptTrainer, KeepsTheEncoderWhileOnlyTheDecoderLearns) {
     }
   }
   EXPECT_GT(changed, 5U);
+}
+
+TEST(ConceptTrainer, PutsPrototypesThatNoPictureUsesBesideTheOneUsedMost) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.learning_rate = options.averaging = 0;
+  options.revival_interval = 1;
+  ConceptTrainer trainer(images, options);
+  const ConceptNetwork network = trainer.averaged();
+  const EncoderBatch batch = encoderBatch(std::vector{encoderInput(coloredBlob(0, 10))});
+  torch::Tensor seen;  // the direction of the COLOR tokens
+  {
+    const torch::NoGradGuard no_gradient;
+    const auto planes = encoderPlanes(batch.bytes, batch.location, EncoderKind::kObjectCentred);
+    ConceptNetwork reader = network;
+    const auto tokens = reader->tokenize(reader->encode(planes), batch.location);
+    seen = tokens[0][static_cast<std::int64_t>(index(Concept::kColor))] / 8;
+    network->prototypes(Concept::kColor)[0].copy_(seen);
+    network->prototypes(Concept::kColor).slice(0, 1).copy_(-seen);
+  }
+  trainer.startFrom(tensorsOf(*network, "concepts."), "");
+  trainer.step();
+  EXPECT_LT(torch::matmul(trainer.averaged()->prototypes(Concept::kColor)[1], seen).item<double>(),
+            -0.9);
+  trainer.step();
+  const auto revived =
+      torch::nn::functional::normalize(trainer.averaged()->prototypes(Concept::kColor),
+                                       torch::nn::functional::NormalizeFuncOptions().dim(1));
+  EXPECT_GT(torch::matmul(revived, seen).min().item<double>(), 0.9);
 }
 
 TEST(ConceptTrainer, RefusesACheckpointThatIsNone) {
