@@ -10,11 +10,10 @@
 #include "child_process.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/planners/path_planning.hpp"
 #include "conceptplan/planners/pddl/pddl_export.hpp"
 #include "conceptplan/planners/pddl/plan_replay.hpp"
 #include "option_range.hpp"
-#include "path_planning.hpp"
-#include "path_tree.hpp"
 
 namespace conceptplan {
 namespace {
@@ -251,28 +250,14 @@ PlannerEntry fastDownwardEntry(const std::filesystem::path& program) {
        "the horizon is left out, and nothing proved.",
        "infeasible is what the program says it has proved; giving up is limit or timeout. The time "
        "limit kills it; the limit of expansions is not passed on."},
-      {{"legality_threshold",
-        OptionType::kNumber,
-        "0.01",
-        0,
-        1,
-        {},
-        "an action is legal where Pr[a given the symbols] is greater"},
-       {"step_discount",
-        OptionType::kNumber,
-        "0.01",
-        0,
-        0.5,
-        {},
-        "share by which one more action must raise a plan's probability to rank first"},
-       {"search",
-        OptionType::kChoice,
-        "lmcut",
-        0,
-        0,
-        {"lmcut", "blind", "lama-first", "lama"},
-        "A* with landmark cuts, uniform-cost search, the first plan of LAMA, or LAMA until it is "
-        "done or the time is"}},
+      {PlannerOption::number("legality_threshold", "0.01", 0, 1,
+                             "an action is legal where Pr[a given the symbols] is greater"),
+       PlannerOption::number(
+           "step_discount", "0.01", 0, 0.5,
+           "share by which one more action must raise a plan's probability to rank first"),
+       PlannerOption::choice("search", {"lmcut", "blind", "lama-first", "lama"},
+                             "A* with landmark cuts, uniform-cost search, the first plan of LAMA, "
+                             "or LAMA until it is done or the time is")},
       [program](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<FastDownwardPlanner>(
             program,

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "conceptplan/domain/simulation/task_generator.hpp"
 #include "conceptplan/planners/best_first_planner.hpp"
 #include "conceptplan/planners/pddl/plan_replay.hpp"
 #include "planners/grid_world.hpp"
@@ -13,6 +12,7 @@
 #include "planners/pddl/pddl_task.hpp"
 #include "planners/pddl/target_facts.hpp"
 #include "planners/random_world.hpp"
+#include "planners/sample_tasks.hpp"
 #include "planners/tiny_world.hpp"
 
 namespace conceptplan {
@@ -66,13 +66,9 @@ SymbolGraph tinyGraph(const Symbols& start, const Symbols& goal) {
 }
 
 SymbolGraph learnedGraph(int level, int number) {
-  TaskOptions options;
-  options.level = level;
-  options.split = Split::kTest;
-  options.seed = 5;
-  const SymbolicProblem problem =
-      testing::learnedRelabelling().problem(TaskGenerator(options).task(number));
-  return compile(testing::learnedModel(), problem, GridValidity());
+  const Task task = testing::testTask(level, number);
+  return compile(testing::learnedModel(), testing::learnedRelabelling().problem(task),
+                 GridValidity());
 }
 
 TEST(PddlExport, RandomWorldsHaveTheOptimumOfDijkstra) {

@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 
-#include "conceptplan/domain/simulation/task_generator.hpp"
 #include "conceptplan/planners/pddl/pddl_export.hpp"
 #include "planners/learned_world.hpp"
 #include "planners/pddl/pddl_task.hpp"
 #include "planners/pddl/target_facts.hpp"
 #include "planners/random_world.hpp"
+#include "planners/sample_tasks.hpp"
 #include "planners/tiny_world.hpp"
 
 namespace conceptplan {
@@ -81,12 +81,7 @@ TEST(PpddlExport, RandomWorldsAreTheSameProcess) {
 }
 
 TEST(PpddlExport, ALearnedTaskIsTheSameProcess) {
-  TaskOptions options;
-  options.level = 4;
-  options.split = Split::kTest;
-  options.seed = 5;
-  const SymbolicProblem problem =
-      testing::learnedRelabelling().problem(TaskGenerator(options).task(2));
+  const SymbolicProblem problem = testing::learnedRelabelling().problem(testing::testTask(4, 2));
   expectSameProcess(compile(testing::learnedModel(), problem, GridValidity()), 30);
 }
 
