@@ -113,8 +113,7 @@ int solveAll(const SolveCommandOptions& options, Session& session) {
   if (options.out.empty() && (options.resume || !appends)) {
     throw InputError({Fault{"--out", {}, {}, "", "--resume and --format need a file"}});
   }
-  const auto start = std::chrono::steady_clock::now();
-  OmplLogHeading heading = headingHere(std::filesystem::path(options.out).stem().string());
+  const auto start = std::chrono::system_clock::now();
   ScenarioSolver solver;
   std::vector<Job> jobs = jobsOf(options, solver.registry(), session.options.seed);
   std::vector<ResultKey> keys;
@@ -139,10 +138,11 @@ int solveAll(const SolveCommandOptions& options, Session& session) {
   const std::vector<Json> results = log.results();
   if (options.format == Format::kCsv) writeFileAtomically(options.out, toCsv(results));
   if (options.format == Format::kOmplLog) {
+    OmplLogHeading heading = headingHere(std::filesystem::path(options.out).stem().string());
+    heading.duration_s = std::chrono::duration<double>(heading.start - start).count();
+    heading.start = start;
     heading.seed = session.options.seed;
     heading.timeout_s = options.limits.timeout_s;
-    heading.duration_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     writeFileAtomically(options.out, toOmplLog(results, heading));
   }
   if (log.numResults() < jobs.size()) throw Interrupted{};

@@ -84,15 +84,15 @@ ChildExit runChild(const ChildCommand& command, double timeout_s, const std::ato
       Clock::now() + std::chrono::duration_cast<Clock::duration>(
                          std::chrono::duration<double>(std::min(timeout_s, kLongestTimeout_s)));
   const pid_t child = spawn(command);
-  ChildExit exit;
+  ChildExit ending;
   int status = 0;
   for (std::chrono::milliseconds nap = kShortestNap;; nap = std::min(2 * nap, kLongestNap)) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     if (ended == child) break;
     if (ended < 0 && errno != EINTR) fail(command.program.string() + " is lost", errno);
-    exit.cancelled = cancel != nullptr && cancel->load(std::memory_order_relaxed);
-    exit.timed_out = !exit.cancelled && Clock::now() >= deadline;
-    if (exit.cancelled || exit.timed_out) {
+    ending.cancelled = cancel != nullptr && cancel->load(std::memory_order_relaxed);
+    ending.timed_out = !ending.cancelled && Clock::now() >= deadline;
+    if (ending.cancelled || ending.timed_out) {
       ::kill(-child, SIGKILL);
       while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
       }
@@ -100,8 +100,8 @@ ChildExit runChild(const ChildCommand& command, double timeout_s, const std::ato
     }
     std::this_thread::sleep_for(nap);
   }
-  if (WIFEXITED(status)) exit.code = WEXITSTATUS(status);
-  return exit;
+  if (WIFEXITED(status)) ending.code = WEXITSTATUS(status);
+  return ending;
 }
 
 }  // namespace conceptplan

@@ -86,13 +86,13 @@ class FastDownwardRun {
     writeFileAtomically(folder / "domain.pddl", text.domain);
     writeFileAtomically(folder / "problem.pddl", text.problem);
     const SearchLimits& limits = task_.query.limits;
-    const ChildExit exit =
+    const ChildExit ending =
         runChild({program, argumentsOf(options_.search, limits.timeout_s), folder, folder / "log"},
                  limits.timeout_s, limits.cancel);
     log_ = readFile(folder / "log");
     task_.statistics.expanded = expansionsIn(log_);
-    stopAfter(exit);
-    return bestPaths(exit.timed_out || exit.cancelled);
+    stopAfter(ending);
+    return bestPaths(ending.timed_out || ending.cancelled);
   }
 
  private:
@@ -106,25 +106,25 @@ class FastDownwardRun {
   }
 
   /// Tells the guard of an end that is neither a plan nor a proof that there is none.
-  void stopAfter(const ChildExit& exit) {
-    if (exit.cancelled) {
+  void stopAfter(const ChildExit& ending) {
+    if (ending.cancelled) {
       task_.guard.stop(PlanStatus::kLimit, "cancelled");
-    } else if (exit.timed_out || exit.code == kTranslateOutOfTime ||
-               exit.code == kSearchOutOfTime) {
+    } else if (ending.timed_out || ending.code == kTranslateOutOfTime ||
+               ending.code == kSearchOutOfTime) {
       task_.guard.stop(PlanStatus::kTimeout, "fast-downward stopped at the time limit of " +
                                                  std::to_string(task_.query.limits.timeout_s) +
                                                  " s");
-    } else if (exit.code == kTranslateOutOfMemory || exit.code == kSearchOutOfMemory ||
-               exit.code == kSearchOutOfMemoryAndTime) {
+    } else if (ending.code == kTranslateOutOfMemory || ending.code == kSearchOutOfMemory ||
+               ending.code == kSearchOutOfMemoryAndTime) {
       task_.guard.stop(PlanStatus::kLimit, "fast-downward ran out of memory");
-    } else if (exit.code == kSearchIncomplete) {
+    } else if (ending.code == kSearchIncomplete) {
       task_.guard.stop(PlanStatus::kLimit, "fast-downward gave up");
-    } else if (!exit.code) {
+    } else if (!ending.code) {
       fail("was ended by a signal: " + lastLine(log_));
-    } else if (*exit.code > kMostSuccess && *exit.code != kTranslateUnsolvable &&
-               *exit.code != kSearchUnsolvable) {
-      fail("ended with exit code " + std::to_string(*exit.code) + ": " + lastLine(log_));
-    } else if (*exit.code <= kMostSuccess && planFiles(folder_.path()).empty()) {
+    } else if (*ending.code > kMostSuccess && *ending.code != kTranslateUnsolvable &&
+               *ending.code != kSearchUnsolvable) {
+      fail("ended with exit code " + std::to_string(*ending.code) + ": " + lastLine(log_));
+    } else if (*ending.code <= kMostSuccess && planFiles(folder_.path()).empty()) {
       fail("wrote no plan: " + lastLine(log_));
     }
   }

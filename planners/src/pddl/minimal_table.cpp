@@ -24,10 +24,6 @@ bool determine(const std::vector<Concept>& concepts, const std::vector<Symbols>&
 
 }  // namespace
 
-std::int64_t MinimalTable::at(const Symbols& symbols) const {
-  return rows.at(pick(symbols, concepts));
-}
-
 std::vector<SymbolId> pick(const Symbols& symbols, const std::vector<Concept>& concepts) {
   std::vector<SymbolId> picked;
   for (const Concept which : concepts) picked.push_back(symbols[index(which)]);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -18,9 +17,6 @@ struct MinimalTable {
 
   /// Whether the value is the same wherever the function is defined.
   bool isConstant() const { return concepts.empty(); }
-
-  /// @throws std::out_of_range where the function is not defined.
-  std::int64_t at(const Symbols& symbols) const;
 };
 
 /// The symbols of some of the concepts.

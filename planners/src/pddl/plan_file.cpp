@@ -109,10 +109,11 @@ class PlanFileParser {
     if (words.size() < 2 || words[0] != "cost" || words[1] != "=") return;
     const std::string_view number = words.size() > 2 ? words[2] : std::string_view();
     std::int64_t cost = 0;
-    const auto [end, error] = std::from_chars(number.begin(), number.end(), cost);
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), cost);
     const bool unit = words.size() == 5 && words[3] == "(unit" && words[4] == "cost)";
     const bool general = words.size() == 5 && words[3] == "(general" && words[4] == "cost)";
-    if (error != std::errc() || end != number.end() || cost < 0 || !(unit || general)) {
+    if (error != std::errc() || end != number.data() + number.size() || cost < 0 ||
+        !(unit || general)) {
       fault(text, "expected \"; cost = N (unit cost)\" or \"; cost = N (general cost)\"");
     } else if (plan_.cost) {
       fault(text, "the cost is stated twice");

@@ -274,7 +274,7 @@ TEST_F(ModelCommands, ExportedPddlIsSolvedByOthersAndTheirPlanChecked) {
   for (const std::string& step : solution->steps) text += step + "\n";
   const auto plan = folder_.write(
       "sas_plan", text + "; cost = " + std::to_string(solution->cost) + " (general cost)\n");
-  const CommandResult right = runCommand({"validate", "--plan", plan, scenario, "--json"});
+  const CommandResult right = runCommand({"validate", "--plan", plan.string(), scenario, "--json"});
   EXPECT_EQ(right.exit_code, 0) << right.error;
   const json answer = json::parse(right.out);
   EXPECT_EQ(answer["ok"], true);
@@ -306,22 +306,22 @@ TEST_F(ModelCommands, ExportedPlansAreRightAndSpoiledOnesNamed) {
   }
   const std::string best = readFile(root_ / "plans/plan.1");
   const auto spoiled = folder_.write("spoiled", "; by hand\n" + best + best);
-  const CommandResult fails = runCommand({"validate", "--plan", spoiled, scenario});
+  const CommandResult fails = runCommand({"validate", "--plan", spoiled.string(), scenario});
   EXPECT_EQ(fails.exit_code, 2);  // the cost is stated twice
   EXPECT_THAT(fails.error, HasSubstr("the cost is stated twice"));
   const auto early = folder_.write("early", "(move_left color-0)\n");
-  const CommandResult wrong = runCommand({"validate", "--plan", early, scenario});
+  const CommandResult wrong = runCommand({"validate", "--plan", early.string(), scenario});
   EXPECT_EQ(wrong.exit_code, 1) << wrong.error;
   EXPECT_THAT(wrong.error, HasSubstr(early.string() + ":1: step 1, move_left: "));
   const auto empty = folder_.write("empty", "");
-  EXPECT_THAT(runCommand({"validate", "--plan", empty, scenario}).error,
+  EXPECT_THAT(runCommand({"validate", "--plan", empty.string(), scenario}).error,
               HasSubstr("the goal is not reached"));
   const auto broken = folder_.write("broken", "(mov_left)\nrotate\n");
-  const CommandResult faults = runCommand({"validate", "--plan", broken, scenario});
+  const CommandResult faults = runCommand({"validate", "--plan", broken.string(), scenario});
   EXPECT_EQ(faults.exit_code, 2);
   EXPECT_THAT(faults.error, HasSubstr(broken.string() + ":1:2: unknown action \"mov_left\""));
   EXPECT_THAT(faults.error, HasSubstr(broken.string() + ":2:1: expected (ACTION"));
-  EXPECT_EQ(runCommand({"validate", "--plan", early, scenario, scenario}).exit_code, 2);
+  EXPECT_EQ(runCommand({"validate", "--plan", early.string(), scenario, scenario}).exit_code, 2);
   EXPECT_EQ(runCommand({"validate", scenario, "--model", model()}).exit_code, 2);
 }
 
@@ -341,7 +341,9 @@ TEST_F(ModelCommands, OmplLogsComeFromSolveAndFromItsResults) {
   EXPECT_THAT(readFile(exported), HasSubstr("\n1 planners\nbelief\n"));
   EXPECT_THAT(readFile(exported), HasSubstr("\n6 runs\n1; "));
   const auto nothing = folder_.write("nothing.jsonl", "");
-  EXPECT_EQ(runCommand({"export", "ompl-log", nothing, "--out", exported.string()}).exit_code, 2);
+  EXPECT_EQ(
+      runCommand({"export", "ompl-log", nothing.string(), "--out", exported.string()}).exit_code,
+      2);
   EXPECT_EQ(runCommand({"solve", scenarios(), "--format", "ompl-log"}).exit_code, 2);
 }
 

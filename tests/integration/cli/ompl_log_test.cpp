@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <stdexcept>

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 #include "conceptplan/planners/best_first_planner.hpp"
@@ -43,7 +45,7 @@ PlanResult bestPlan(const SymbolGraph& graph) {
   query.top = 1;
   query.limits.horizon = 1000;
   query.limits.max_expansions = 1'000'000;
-  return BestFirstPlanner({.guidance = Guidance::kNone}).solve(graph, query);
+  return BestFirstPlanner(BestFirstPlannerOptions{.guidance = Guidance::kNone}).solve(graph, query);
 }
 
 /// The cheapest plan of the text has the cost of the planner's, to the last unit, and replays.

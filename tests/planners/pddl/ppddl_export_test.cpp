@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <map>
+#include <set>
+
 #include "conceptplan/planners/pddl/pddl_export.hpp"
 #include "planners/learned_world.hpp"
 #include "planners/pddl/pddl_task.hpp"
