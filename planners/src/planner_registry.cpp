@@ -8,10 +8,19 @@
 namespace conceptplan {
 
 void PlannerRegistry::add(PlannerEntry entry) {
-  if (find(entry.name) != nullptr) {
-    throw std::invalid_argument("there is a planner \"" + entry.name + "\" already");
-  }
+  checkIsFree(entry.name);
   entries_.push_back(std::move(entry));
+}
+
+void PlannerRegistry::addMissing(std::string name, std::string reason) {
+  checkIsFree(name);
+  missing_.emplace(std::move(name), std::move(reason));
+}
+
+void PlannerRegistry::checkIsFree(const std::string& name) const {
+  if (find(name) != nullptr || missing_.contains(name)) {
+    throw std::invalid_argument("there is a planner \"" + name + "\" already");
+  }
 }
 
 const PlannerEntry* PlannerRegistry::find(std::string_view name) const& {
@@ -25,13 +34,16 @@ const PlannerEntry& PlannerRegistry::entryNamed(const std::string& name,
                                                 const std::string& path) const {
   const PlannerEntry* entry = find(name);
   if (entry == nullptr) {
+    const auto missing = missing_.find(name);
     std::vector<std::string_view> known;
     for (const PlannerEntry& other : entries_) known.push_back(other.name);
-    throw InputError({{path,
-                       {},
-                       {},
-                       "planner.name",
-                       "unknown planner \"" + name + "\"" + didYouMean(name, known)}});
+    throw InputError(
+        {{path,
+          {},
+          {},
+          "planner.name",
+          missing == missing_.end() ? "unknown planner \"" + name + "\"" + didYouMean(name, known)
+                                    : "planner \"" + name + "\" " + missing->second}});
   }
   return *entry;
 }

@@ -16,11 +16,15 @@ void addValidateCommand(CommandLine& line);
 
 // All commands of a group.
 
+void addExportCommands(CommandLine& line);
 void addGenerateCommands(CommandLine& line);
 void addInspectCommands(CommandLine& line);
 
 // Those of the groups.
 
+void addExportOmplLogCommand(CommandLine& line, CLI::App& group);
+void addExportPddlCommands(CommandLine& line, CLI::App& group);
+void addExportPlanCommand(CommandLine& line, CLI::App& group);
 void addGenerateConceptsCommand(CommandLine& line, CLI::App& group);
 void addGenerateImagesCommand(CommandLine& line, CLI::App& group);
 void addGenerateScenariosCommand(CommandLine& line, CLI::App& group);

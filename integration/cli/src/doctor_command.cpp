@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "conceptplan/pipeline/model.hpp"
+#include "conceptplan/planners/pddl/fast_downward_planner.hpp"
 #include "exit_code.hpp"
 #include "loaded_libraries.hpp"
 
@@ -68,6 +69,14 @@ Check checkChromium() {
   return {"chromium", true, "not found", "optional: install chromium to test the report"};
 }
 
+/// A planner by that name where it is there, so its absence is no fault.
+Check checkFastDownward() {
+  if (const auto program = findFastDownward()) {
+    return {"fast-downward", true, program->string(), ""};
+  }
+  return {"fast-downward", true, "not found", "optional: put it on the PATH to plan with it"};
+}
+
 /// The shipped model, all of its files checked and loaded.
 Check checkModel() {
   try {
@@ -94,6 +103,7 @@ int examine(Session& session) {
       checkThreads(),
       checkModel(),
       checkChromium(),
+      checkFastDownward(),
   };
   Json list = Json::array();
   TextTable table{{"", "check", "found", "advice"}};

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   addEvaluateCommand(line);
   addValidateCommand(line);
   addInspectCommands(line);
+  addExportCommands(line);
   addPlannersCommand(line);
   addDoctorCommand(line);
   return line.run(argc, argv, catchInterrupts());

@@ -1,11 +1,11 @@
 #include "commands.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/rgbd_image_file.hpp"
-#include "conceptplan/domain/scenario/scenario_file.hpp"
 #include "conceptplan/nlopt/trajectory_file.hpp"
 #include "conceptplan/pipeline/report.hpp"
 #include "exit_code.hpp"
 #include "result_json.hpp"
+#include "scenario_check.hpp"
 #include "scenario_solver.hpp"
 #include "search_options.hpp"
 
@@ -69,24 +69,16 @@ void printSolution(const SolvedScenario& solved, const Json& json, Console& cons
 }
 
 int plan(const PlanCommandOptions& options, Session& session) {
-  const std::vector<std::filesystem::path> files = findScenarios(options.path);
-  if (files.size() != 1) {
-    throw InputError({Fault{options.path,
-                            {},
-                            {},
-                            "",
-                            "expected one scenario, found " + std::to_string(files.size()) +
-                                "; conceptplan solve takes any number"}});
-  }
+  const std::filesystem::path file = findScenario(options.path);
   SolveOptions solve;
   solve.seed = session.options.seed;
   solve.render = !options.no_render && !options.out.empty();
   solve.limits = options.limits;
   solve.limits.cancel = &session.cancel;
   ScenarioSolver solver;
-  const SolvedScenario solved = solver.solve(files.front(), options.planner, options.model, solve);
+  const SolvedScenario solved = solver.solve(file, options.planner, options.model, solve);
   if (session.cancel) throw Interrupted{};
-  const std::string scenario = files.front().parent_path().lexically_normal().string();
+  const std::string scenario = file.parent_path().lexically_normal().string();
   const Json result = resultJson({scenario, solved.planner, session.options.seed}, solved.solution);
   printSolution(solved, result, session.console);
   if (!options.out.empty()) {

@@ -33,6 +33,28 @@ std::optional<ResultKey> keyOf(const Json& result) {
 
 }  // namespace
 
+std::vector<Json> readResults(const std::filesystem::path& path) {
+  const std::string text = readFile(path);
+  std::vector<Json> results;
+  std::vector<Fault> faults;
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    ++number;
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) break;  // a torn last line
+    Json result = Json::parse(text.substr(begin, end - begin), nullptr, false);
+    begin = end + 1;
+    if (keyOf(result)) {
+      results.push_back(std::move(result));
+    } else if (begin < text.size()) {
+      faults.push_back(
+          {path.string(), number, {}, "", "expected a result of solve; remove the line"});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return results;
+}
+
 ResultLog::ResultLog(std::filesystem::path path, std::vector<ResultKey> keys, bool resume)
     : path_(std::move(path)), keys_(std::move(keys)) {
   if (path_.empty()) return;
@@ -58,28 +80,11 @@ ResultLog::~ResultLog() {
 }
 
 void ResultLog::readExisting() {
-  const std::string text = readFile(path_);
-  std::vector<Fault> faults;
-  int number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    ++number;
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) break;  // a torn last line
-    const Json result = Json::parse(text.substr(begin, end - begin), nullptr, false);
-    begin = end + 1;
-    const std::optional<ResultKey> key = keyOf(result);
-    if (key) {
-      if (std::find(keys_.begin(), keys_.end(), *key) == keys_.end()) others_.push_back(*key);
-      results_[*key] = result;
-    } else if (begin < text.size()) {
-      faults.push_back({path_.string(),
-                        number,
-                        {},
-                        "",
-                        "expected a result of solve; remove the line, or leave out --resume"});
-    }
+  for (const Json& result : readResults(path_)) {
+    const ResultKey key = keyOf(result).value();
+    if (std::find(keys_.begin(), keys_.end(), key) == keys_.end()) others_.push_back(key);
+    results_[key] = result;
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 bool ResultLog::has(const ResultKey& key) const {

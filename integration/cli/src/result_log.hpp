@@ -19,6 +19,10 @@ struct ResultKey {
   auto operator<=>(const ResultKey&) const = default;
 };
 
+/// The results that `solve` wrote to a file, without a torn last line.
+/// @throws InputError if the file cannot be read, or a line that is not the last is no result.
+std::vector<Json> readResults(const std::filesystem::path& path);
+
 /// The results of one `solve`, on disk as soon as they are there: each is appended as one line of
 /// JSON and flushed to the disk. `finish` brings them into the order of the keys, so that the file
 /// is the same at any number of jobs. Thread-safe.

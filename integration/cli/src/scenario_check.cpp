@@ -59,6 +59,17 @@ Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerReg
       path, [&registry](const Scenario& scenario) { return openFaults(scenario, registry); });
 }
 
+std::filesystem::path findScenario(const std::string& path) {
+  const std::vector<std::filesystem::path> files = findScenarios(path);
+  if (files.size() == 1) return files.front();
+  throw InputError({Fault{path,
+                          {},
+                          {},
+                          "",
+                          "expected one scenario, found " + std::to_string(files.size()) +
+                              "; conceptplan solve takes any number"}});
+}
+
 std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string& name,
                                      const PlannerRegistry& registry) {
   return placed(scenario, [&] {

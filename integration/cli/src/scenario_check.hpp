@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "conceptplan/domain/scenario/scenario.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
@@ -12,6 +13,9 @@ namespace conceptplan::cli {
 /// options, that the model is there, and the reference.
 /// @throws InputError with all faults.
 Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerRegistry& registry);
+
+/// The one scenario file that a path stands for. @throws InputError if there is none, or several.
+std::filesystem::path findScenario(const std::string& path);
 
 /// The planner of that name, with the scenario's options if the scenario names the same one.
 /// @throws InputError with the lines of the keys.

@@ -20,6 +20,13 @@ struct SolvedScenario {
   Solution solution;
 };
 
+/// A scenario with the graph that planners search.
+struct CompiledScenario {
+  Scenario scenario;
+  std::shared_ptr<const Model> model;
+  SymbolGraph graph;
+};
+
 /// Reads and solves scenarios; a model that several of them name is loaded once. Thread-safe.
 class ScenarioSolver {
  public:
@@ -31,10 +38,14 @@ class ScenarioSolver {
   SolvedScenario solve(const std::filesystem::path& file, const std::string& planner,
                        const std::string& model, const SolveOptions& options);
 
+  /// @param model as of `solve` @throws InputError as `solve`.
+  CompiledScenario compile(const std::filesystem::path& file, const std::string& model);
+
   const PlannerRegistry& registry() const { return registry_; }
 
  private:
-  std::shared_ptr<const Model> load(const std::filesystem::path& folder);
+  /// @param model in place of the scenario's own; empty: the scenario's
+  std::shared_ptr<const Model> load(const Scenario& scenario, const std::string& model);
 
   PlannerRegistry registry_;
   std::mutex mutex_;

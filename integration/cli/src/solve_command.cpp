@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 
 #include "choice_option.hpp"
 #include "commands.hpp"
@@ -6,6 +7,7 @@
 #include "conceptplan/domain/scenario/scenario_file.hpp"
 #include "conceptplan/pipeline/parallel_work.hpp"
 #include "exit_code.hpp"
+#include "ompl_log.hpp"
 #include "result_json.hpp"
 #include "scenario_solver.hpp"
 #include "search_options.hpp"
@@ -13,11 +15,12 @@
 namespace conceptplan::cli {
 namespace {
 
-enum class Format { kJsonLines, kCsv };
+enum class Format { kJsonLines, kCsv, kOmplLog };
 
 std::optional<Format> formatNamed(std::string_view name) {
   if (name == "jsonl") return Format::kJsonLines;
   if (name == "csv") return Format::kCsv;
+  if (name == "ompl-log") return Format::kOmplLog;
   return std::nullopt;
 }
 
@@ -103,12 +106,14 @@ void report(const Json& result, Console& console) {
 }
 
 int solveAll(const SolveCommandOptions& options, Session& session) {
-  if (options.format == Format::kCsv && options.resume) {
+  const bool appends = options.format == Format::kJsonLines;
+  if (options.resume && !appends) {
     throw InputError({Fault{"--resume", {}, {}, "", "only a jsonl file can be resumed"}});
   }
-  if (options.out.empty() && (options.resume || options.format == Format::kCsv)) {
-    throw InputError({Fault{"--out", {}, {}, "", "--resume and --format csv need a file"}});
+  if (options.out.empty() && (options.resume || !appends)) {
+    throw InputError({Fault{"--out", {}, {}, "", "--resume and --format need a file"}});
   }
+  const auto start = std::chrono::system_clock::now();
   ScenarioSolver solver;
   std::vector<Job> jobs = jobsOf(options, solver.registry(), session.options.seed);
   std::vector<ResultKey> keys;
@@ -116,8 +121,7 @@ int solveAll(const SolveCommandOptions& options, Session& session) {
     if (job.planner.empty()) job.key.planner = ownPlanner(job.file);
     keys.push_back(job.key);
   }
-  const bool csv = options.format == Format::kCsv;
-  ResultLog log(csv ? "" : options.out, keys, options.resume);
+  ResultLog log(appends ? options.out : "", keys, options.resume);
   const Progress progress = session.console.progress("scenarios");
   progress(log.numResults(), jobs.size());
   workInParallel(jobs.size(), session.options.jobs, &session.cancel, [&]() -> Worker {
@@ -132,7 +136,15 @@ int solveAll(const SolveCommandOptions& options, Session& session) {
     };
   });
   const std::vector<Json> results = log.results();
-  if (csv) writeFileAtomically(options.out, toCsv(results));
+  if (options.format == Format::kCsv) writeFileAtomically(options.out, toCsv(results));
+  if (options.format == Format::kOmplLog) {
+    OmplLogHeading heading = headingHere(std::filesystem::path(options.out).stem().string());
+    heading.duration_s = std::chrono::duration<double>(heading.start - start).count();
+    heading.start = start;
+    heading.seed = session.options.seed;
+    heading.timeout_s = options.limits.timeout_s;
+    writeFileAtomically(options.out, toOmplLog(results, heading));
+  }
   if (log.numResults() < jobs.size()) throw Interrupted{};
   log.finish();
   session.console.print(toTable(results));
@@ -158,7 +170,7 @@ void addSolveCommand(CommandLine& line) {
   command.add_option("--model", options->model, "A model in place of the scenarios' own")
       ->type_name("NAME|DIR");
   command.add_option("--out", options->out, "File of the results, a line each")->type_name("FILE");
-  addChoice(command, "--format", options->format, {"jsonl", "csv"}, formatNamed,
+  addChoice(command, "--format", options->format, {"jsonl", "csv", "ompl-log"}, formatNamed,
             "Of the file; jsonl if left out");
   command.add_flag("--resume", options->resume, "Keep the results that the file has already");
   addLimits(command, options->limits);

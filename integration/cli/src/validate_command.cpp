@@ -3,6 +3,7 @@
 #include "conceptplan/pipeline/all_planners.hpp"
 #include "conceptplan/pipeline/model.hpp"
 #include "exit_code.hpp"
+#include "plan_check.hpp"
 #include "scenario_check.hpp"
 
 namespace conceptplan::cli {
@@ -10,6 +11,9 @@ namespace {
 
 struct ValidateOptions {
   std::vector<std::string> paths;
+  std::string plan;
+  std::string model;
+  DeterminisationOptions determinisation;
 };
 
 /// That the files of the scenario's model are whole, and symbols given by hand are its own.
@@ -38,6 +42,13 @@ std::vector<Fault> faultsOf(const std::filesystem::path& file, const PlannerRegi
 }
 
 int validate(const ValidateOptions& options, Session& session) {
+  if (!options.plan.empty()) {
+    if (options.paths.size() > 1) {
+      throw InputError({Fault{"--plan", {}, {}, "", "a plan is checked against one scenario"}});
+    }
+    return checkPlan(options.plan, options.paths.front(), options.model, options.determinisation,
+                     session);
+  }
   const PlannerRegistry registry = allPlanners();
   Json scenarios = Json::array();
   bool all_valid = true;
@@ -66,12 +77,27 @@ int validate(const ValidateOptions& options, Session& session) {
 
 void addValidateCommand(CommandLine& line) {
   const auto options = makeOptions<ValidateOptions>();
-  CLI::App& command =
-      line.add("validate", "Report every fault of scenarios, with file, line and column",
-               "conceptplan validate scenarios/level3-0001",
-               [options](Session& session) { return validate(*options, session); });
+  CLI::App& command = line.add(
+      "validate", "Report every fault of scenarios, with file, line and column; or check a plan",
+      "conceptplan validate scenarios/level3-0001\n"
+      "  conceptplan validate --plan sas_plan scenarios/level3-0001",
+      [options](Session& session) { return validate(*options, session); });
   command.add_option("SCENARIO", options->paths, "Scenario files, folders, or folders of folders")
       ->required();
+  CLI::Option* const plan =
+      command
+          .add_option("--plan", options->plan,
+                      "Replay this plan file on the scenario; tells its cost, or the step at which "
+                      "it fails and why")
+          ->type_name("FILE");
+  command
+      .add_option("--model", options->model, "With --plan: a model in place of the scenario's own")
+      ->needs(plan)
+      ->type_name("NAME|DIR");
+  addDeterminisation(command, options->determinisation);
+  for (const char* option : {"--legality-threshold", "--step-discount"}) {
+    command.get_option(option)->needs(plan);
+  }
 }
 
 }  // namespace conceptplan::cli

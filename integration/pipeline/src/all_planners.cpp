@@ -1,5 +1,6 @@
 #include "conceptplan/pipeline/all_planners.hpp"
 
+#include "conceptplan/planners/pddl/fast_downward_planner.hpp"
 #ifdef CONCEPTPLAN_WITH_OMPL
 #include "conceptplan/ompl/ompl_planner.hpp"
 #endif
@@ -11,6 +12,7 @@ PlannerRegistry allPlanners() {
 #ifdef CONCEPTPLAN_WITH_OMPL
   addOmplPlanners(registry);
 #endif
+  addFastDownwardPlanner(registry);
   return registry;
 }
 

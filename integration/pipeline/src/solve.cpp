@@ -151,6 +151,14 @@ void readSymbols(const Scenario& scenario, const Model& model, Solution& solutio
     solution.instances.push_back(static_cast<std::uint8_t>(i + 1));
 }
 
+/// Reads pictures or given symbols into the solution. @returns what was read of the first picture
+Percept readInput(const Scenario& scenario, const Model& model, Solution& solution) {
+  const auto* pictures = std::get_if<PictureInput>(&scenario.input);
+  if (pictures != nullptr) return readPictures(scenario, *pictures, model, solution);
+  readSymbols(scenario, model, solution);
+  return {};
+}
+
 /// Fills the result of a solution whose problem has been read.
 using SearchStage = std::function<void(Solution&, const PlanQuery&, Stopwatch& stage)>;
 
@@ -159,12 +167,7 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
   Solution solution;
   Stopwatch total, stage;
   const auto* pictures = std::get_if<PictureInput>(&scenario.input);
-  Percept initial;
-  if (pictures != nullptr) {
-    initial = readPictures(scenario, *pictures, model, solution);
-  } else {
-    readSymbols(scenario, model, solution);
-  }
+  const Percept initial = readInput(scenario, model, solution);
   solution.times.perceive_ms = stage.lap();
 
   PlanQuery query;
@@ -235,6 +238,14 @@ JointProblem jointProblemOf(const Percept& initial, const Percept& goal,
                                goal.beliefs[seenAt(goal, target, "goal")],
                                "object " + std::to_string(target)});
   return problem;
+}
+
+SymbolGraph compileScenario(const Scenario& scenario, const Model& model) {
+  if (!scenario.targets.empty())
+    throw InputError({scenario.fault("targets", "several targets have no graph of their states")});
+  Solution solution;
+  readInput(scenario, model, solution);
+  return compile(model.symbolic(), solution.problem, FclValidity());
 }
 
 Solution solveScenario(const Scenario& scenario, const Model& model, const Planner& planner,

@@ -9,6 +9,7 @@
 #include "domain/files/temporary_folder.hpp"
 #include "integration/cli/command_runner.hpp"
 #include "planners/learned_world.hpp"
+#include "planners/pddl/pddl_task.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -257,6 +258,102 @@ TEST_F(ModelCommands, PlanReadsPicturesAndPredictsFrames) {
     frames += entry.path().extension() == ".png" ? 1 : 0;
   }
   EXPECT_EQ(frames, answer["plans"].empty() ? 0u : answer["plans"][0]["length"].get<std::size_t>());
+}
+
+TEST_F(ModelCommands, ExportedPddlIsSolvedByOthersAndTheirPlanChecked) {
+  const std::string scenario = scenarios() + "/level4-0001";
+  const std::string out = (root_ / "pddl").string();
+  const CommandResult made = runCommand({"export", "pddl", scenario, "--out", out, "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.error;
+  const json files = json::parse(made.out);
+  const conceptplan::testing::PddlTask task(readFile(files["domain"].get<std::string>()),
+                                            readFile(files["problem"].get<std::string>()));
+  const auto solution = task.solve();
+  ASSERT_TRUE(solution);
+  std::string text;
+  for (const std::string& step : solution->steps) text += step + "\n";
+  const auto plan = folder_.write(
+      "sas_plan", text + "; cost = " + std::to_string(solution->cost) + " (general cost)\n");
+  const CommandResult right = runCommand({"validate", "--plan", plan.string(), scenario, "--json"});
+  EXPECT_EQ(right.exit_code, 0) << right.error;
+  const json answer = json::parse(right.out);
+  EXPECT_EQ(answer["ok"], true);
+  EXPECT_EQ(answer["cost"], solution->cost);
+  EXPECT_EQ(answer["stated_cost"], solution->cost);
+  EXPECT_EQ(answer["steps"], solution->steps.size());
+  EXPECT_TRUE(answer["failure"].is_null());
+
+  ASSERT_EQ(runCommand({"export", "ppddl", scenario, "--out", out}).exit_code, 0);
+  const conceptplan::testing::PddlTask process(readFile(root_ / "pddl/domain.ppddl"),
+                                               readFile(root_ / "pddl/problem.ppddl"));
+  EXPECT_FALSE(process.steps(process.initial()).empty());
+}
+
+TEST_F(ModelCommands, ExportedPlansAreRightAndSpoiledOnesNamed) {
+  const std::string scenario = scenarios() + "/level3-0002";
+  const std::string out = (root_ / "plans").string();
+  const CommandResult made =
+      runCommand({"export", "plan", scenario, "--planner", "dijkstra", "--out", out, "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.error;
+  const json plans = json::parse(made.out)["plans"];
+  ASSERT_EQ(plans.size(), 5u);
+  for (const json& plan : plans) {
+    const CommandResult checked =
+        runCommand({"validate", "--plan", plan["file"].get<std::string>(), scenario});
+    EXPECT_EQ(checked.exit_code, 0) << checked.error;
+    EXPECT_THAT(checked.out, HasSubstr("reaches the goal"));
+    EXPECT_THAT(checked.out, HasSubstr("cost " + plan["cost"].dump()));
+  }
+  const std::string best = readFile(root_ / "plans/plan.1");
+  const auto spoiled = folder_.write("spoiled", "; by hand\n" + best + best);
+  const CommandResult fails = runCommand({"validate", "--plan", spoiled.string(), scenario});
+  EXPECT_EQ(fails.exit_code, 2);  // the cost is stated twice
+  EXPECT_THAT(fails.error, HasSubstr("the cost is stated twice"));
+  const auto early = folder_.write("early", "(move_left color-0)\n");
+  const CommandResult wrong = runCommand({"validate", "--plan", early.string(), scenario});
+  EXPECT_EQ(wrong.exit_code, 1) << wrong.error;
+  EXPECT_THAT(wrong.error, HasSubstr(early.string() + ":1: step 1, move_left: "));
+  const auto empty = folder_.write("empty", "");
+  EXPECT_THAT(runCommand({"validate", "--plan", empty.string(), scenario}).error,
+              HasSubstr("the goal is not reached"));
+  const auto broken = folder_.write("broken", "(mov_left)\nrotate\n");
+  const CommandResult faults = runCommand({"validate", "--plan", broken.string(), scenario});
+  EXPECT_EQ(faults.exit_code, 2);
+  EXPECT_THAT(faults.error, HasSubstr(broken.string() + ":1:2: unknown action \"mov_left\""));
+  EXPECT_THAT(faults.error, HasSubstr(broken.string() + ":2:1: expected (ACTION"));
+  EXPECT_EQ(runCommand({"validate", "--plan", early.string(), scenario, scenario}).exit_code, 2);
+  EXPECT_EQ(runCommand({"validate", scenario, "--model", model()}).exit_code, 2);
+}
+
+TEST_F(ModelCommands, OmplLogsComeFromSolveAndFromItsResults) {
+  const auto log = root_ / "direct.log";
+  const CommandResult direct = runCommand({"solve", scenarios(), "--planners", "belief,bfs",
+                                           "--format", "ompl-log", "--out", log.string()});
+  EXPECT_EQ(direct.exit_code, 0) << direct.error;
+  EXPECT_THAT(readFile(log), HasSubstr("\nExperiment direct\n"));
+  EXPECT_THAT(readFile(log), HasSubstr("\n2 planners\nbelief\n"));
+  const auto results = root_ / "for-log.jsonl";
+  ASSERT_EQ(runCommand({"solve", scenarios(), "--out", results.string()}).exit_code, 0);
+  const auto exported = root_ / "exported.log";
+  const CommandResult made =
+      runCommand({"export", "ompl-log", results.string(), "--out", exported.string()});
+  EXPECT_EQ(made.exit_code, 0) << made.error;
+  EXPECT_THAT(readFile(exported), HasSubstr("\n1 planners\nbelief\n"));
+  EXPECT_THAT(readFile(exported), HasSubstr("\n6 runs\n1; "));
+  const auto nothing = folder_.write("nothing.jsonl", "");
+  EXPECT_EQ(
+      runCommand({"export", "ompl-log", nothing.string(), "--out", exported.string()}).exit_code,
+      2);
+  EXPECT_EQ(runCommand({"solve", scenarios(), "--format", "ompl-log"}).exit_code, 2);
+}
+
+TEST_F(ModelCommands, FastDownwardIsNamedWhereItIsMissing) {
+  const CommandResult result =
+      runCommand({"plan", scenarios() + "/level3-0001", "--planner", "fast-downward"});
+  if (result.exit_code == 0) GTEST_SKIP() << "fast-downward is installed";
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.error, HasSubstr("planner \"fast-downward\" needs the program fast-downward "
+                                      "or fast-downward.py on the PATH"));
 }
 
 TEST_F(ModelCommands, EvaluateHasTheStableNames) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -33,6 +34,10 @@ class PlannerRegistry {
   /// @throws std::invalid_argument if the name is taken.
   void add(PlannerEntry entry);
 
+  /// Notes a planner that is known but cannot be had here, and why: "needs ...". `make` says so.
+  /// @throws std::invalid_argument if the name is taken.
+  void addMissing(std::string name, std::string reason);
+
   /// In order of addition. Of a named registry alone, since the entries live in it.
   const std::vector<PlannerEntry>& entries() const& { return entries_; }
   const std::vector<PlannerEntry>& entries() const&& = delete;
@@ -41,8 +46,8 @@ class PlannerRegistry {
   const PlannerEntry* find(std::string_view name) const&& = delete;
 
   /// @param path stands in the faults.
-  /// @throws InputError for an unknown planner (key "planner.name") or wrong options, all at once;
-  /// names the nearest known name.
+  /// @throws InputError for an unknown or missing planner (key "planner.name") or wrong options,
+  /// all at once; names the nearest known name.
   std::unique_ptr<Planner> make(const std::string& name, const OptionTexts& options = {},
                                 const std::string& path = "") const;
 
@@ -53,8 +58,10 @@ class PlannerRegistry {
 
  private:
   const PlannerEntry& entryNamed(const std::string& name, const std::string& path) const;
+  void checkIsFree(const std::string& name) const;
 
   std::vector<PlannerEntry> entries_;
+  std::map<std::string, std::string> missing_;  // name -> reason
 };
 
 /// `docs/planners.md`.

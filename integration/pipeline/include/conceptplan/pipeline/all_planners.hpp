@@ -4,8 +4,8 @@
 
 namespace conceptplan {
 
-/// The planners of this build by name: the standard ones, and those of OMPL where it is built with
-/// the component `ompl`.
+/// The planners of this build by name: the standard ones, those of OMPL where it is built with the
+/// component `ompl`, and `fast-downward` where that program is on the PATH.
 PlannerRegistry allPlanners();
 
 }  // namespace conceptplan

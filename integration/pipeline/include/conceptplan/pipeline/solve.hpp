@@ -73,6 +73,10 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Joint
 Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans,
                         std::span<const std::uint8_t> instances = {});
 
+/// The graph that `solveScenario` searches. Thread-safe.
+/// @throws InputError as `solveScenario`.
+SymbolGraph compileScenario(const Scenario& scenario, const Model& model);
+
 /// The problem that two pictures pose, as the model reads them. `target` is an instance id; without
 /// one it is the object whose symbols differ most between the pictures.
 /// @throws std::invalid_argument if the target is not seen in both pictures, or there is none.

@@ -1,0 +1,119 @@
+#include "conceptplan/planners/pddl/plan_replay.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <stdexcept>
+
+#include "action_schemas.hpp"
+#include "legality_trace.hpp"
+
+namespace conceptplan {
+namespace {
+
+/// Why a legality check rules the action out; empty if none does.
+std::string ruledOut(const SymbolGraph& graph, StateId state, Action action, double threshold) {
+  const std::array<StateId, 1> states{state};
+  for (const Rejection& rejection : traceRejections(graph, states, threshold)) {
+    if (rejection.action != action) continue;
+    std::ostringstream reason;
+    switch (rejection.cause) {
+      case Invalidity::kNone:
+        reason << "the action is not legal: its probability given the symbols is "
+               << rejection.value << ", not above " << threshold;
+        break;
+      case Invalidity::kCollision:
+        reason << "its most probable outcome meets object " << *rejection.object;
+        break;
+      case Invalidity::kWorkbenchEdge:
+        reason << "its most probable outcome is not wholly on the workbench";
+        break;
+      case Invalidity::kCheckFailed:
+        reason << "the validity of its most probable outcome cannot be checked";
+    }
+    return reason.str();
+  }
+  return "";
+}
+
+/// What is wrong with a step's arguments; empty if nothing, or if it has none.
+std::string wrongArguments(const PlanFileStep& step, const std::vector<std::string>& expected) {
+  if (step.arguments.empty()) return "";
+  if (step.arguments.size() != expected.size()) {
+    return "it has " + std::to_string(step.arguments.size()) + " arguments, expected " +
+           std::to_string(expected.size());
+  }
+  const auto [found, right] =
+      std::mismatch(step.arguments.begin(), step.arguments.end(), expected.begin());
+  if (found == step.arguments.end()) return "";
+  return "argument " + std::to_string(found - step.arguments.begin() + 1) + " is " + *found +
+         ", expected " + *right;
+}
+
+/// In what a state differs from the goal; empty if in nothing.
+std::string missedGoal(const SymbolGraph& graph, StateId end) {
+  const std::string mismatch = frozenMismatch(graph);
+  if (!mismatch.empty()) return mismatch;
+  const Symbols reached = graph.symbols(end);
+  const Symbols goal = mostProbable(graph.problem().goal);
+  std::string text;
+  for (const Concept which : changingConcepts(graph)) {
+    const std::size_t k = index(which);
+    if (reached[k] == goal[k]) continue;
+    text += (text.empty() ? "the goal is not reached: " : ", ") + std::string(name(which)) + " " +
+            std::to_string(index(reached[k])) + " in place of " + std::to_string(index(goal[k]));
+  }
+  return text;
+}
+
+}  // namespace
+
+PlanReplay replay(const SymbolGraph& graph, std::span<const PlanFileStep> steps,
+                  const Determinisation& determinisation) {
+  checkDeterminisation(determinisation);
+  const ActionSchemas schemas(graph, determinisation);
+  PlanReplay result;
+  StateId state = graph.mostProbableStart();
+  for (const PlanFileStep& step : steps) {
+    const auto fail = [&result](const std::string& reason) {
+      result.failure = ReplayFailure{result.states.size(), reason};
+      return result;
+    };
+    const double threshold = determinisation.legality_threshold;
+    const std::string reason = ruledOut(graph, state, step.action, threshold);
+    if (!reason.empty()) return fail(reason);
+    const Transition& likeliest = graph.transitions(state, step.action).front();
+    const std::string wrong = wrongArguments(
+        step, schemas.arguments(step.action, graph.symbols(state), graph.symbols(likeliest.state)));
+    if (!wrong.empty()) return fail(wrong);
+    state = likeliest.state;
+    result.states.push_back(state);
+    result.cost += wholeCost(likeliest, determinisation);
+    result.probability *= likeliest.probability;
+  }
+  const std::string missed = missedGoal(graph, state);
+  if (!missed.empty()) result.failure = ReplayFailure{steps.size(), missed};
+  return result;
+}
+
+PlanFile groundPlan(const SymbolGraph& graph, const ActionSequence& actions,
+                    const Determinisation& determinisation) {
+  PlanFile plan;
+  for (const Action action : actions) plan.steps.push_back({action, {}, 0});
+  const PlanReplay replayed = replay(graph, plan.steps, determinisation);
+  if (replayed.failure) {
+    throw std::invalid_argument("step " + std::to_string(replayed.failure->step + 1) + ": " +
+                                replayed.failure->reason);
+  }
+  const ActionSchemas schemas(graph, determinisation);
+  StateId before = graph.mostProbableStart();
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    plan.steps[i].arguments =
+        schemas.arguments(actions[i], graph.symbols(before), graph.symbols(replayed.states[i]));
+    before = replayed.states[i];
+  }
+  plan.cost = replayed.cost;
+  return plan;
+}
+
+}  // namespace conceptplan
