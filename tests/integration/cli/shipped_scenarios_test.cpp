@@ -40,6 +40,40 @@ TEST(ShippedScenarios, TheShippedModelSolvesAllThatHaveASolution) {
   EXPECT_GE(kinds["infeasible"], 1);
 }
 
+TEST(ShippedScenarios, TheShippedModelSolvesThoseWithTwoTargets) {
+  const CommandResult result =
+      runCommand({"solve", CONCEPTPLAN_SCENARIOS "/two-targets", "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const json answer = json::parse(result.out);
+  EXPECT_EQ(answer["results"].size(), 2u);
+  for (const json& solved : answer["results"]) {
+    EXPECT_EQ(solved["evaluation"]["top1"], true) << solved;
+    EXPECT_EQ(solved["evaluation"]["efficiency"], 1.0) << solved;
+    const json& best = solved["plans"][0];
+    EXPECT_EQ(best["objects"].size(), best["actions"].size());
+  }
+}
+
+TEST(ShippedModel, SolvesTwoTargetsFromItsSymbols) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  const CommandResult made = runCommand({"generate", "scenarios", "--level", "4", "--targets", "2",
+                                         "--count", "5", "--symbols-only", "--out", out});
+  ASSERT_EQ(made.exit_code, 0) << made.error;
+  const CommandResult result =
+      runCommand({"solve", out, "--planners", "astar,bfs,greedy", "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const json answer = json::parse(result.out);
+  EXPECT_EQ(answer["results"].size(), 15u);
+  for (const json& solved : answer["results"]) {
+    EXPECT_EQ(solved["evaluation"]["top1"], true) << solved;
+    if (solved["planner"] != "greedy") {
+      EXPECT_EQ(solved["evaluation"]["efficiency"], 1.0) << solved;
+    }
+  }
+  EXPECT_EQ(runCommand({"solve", out, "--planners", "belief"}).exit_code, 2);
+}
+
 TEST(ShippedModel, SolvesFromItsSymbols) {
   const TemporaryFolder folder;
   const std::string out = folder.path().string();

@@ -58,7 +58,7 @@ TEST(SolveScenario, RefusesATargetThatIsHiddenInTheGoal) {
 }
 
 TEST(SolveScenario, SolvesForSeveralTargetsFromPictures) {
-  const Scenario scenario = shipped("level3x2-0001");
+  const Scenario scenario = shipped("two-targets/level3x2-0001");
   const Solution solution = solveScenario(scenario, shippedModel(), JointPlanner());
   ASSERT_EQ(solution.result.status, PlanStatus::kSolved) << solution.result.reason;
   EXPECT_EQ(solution.targets.size(), 2u);
@@ -77,7 +77,7 @@ TEST(SolveScenario, SolvesForSeveralTargetsFromPictures) {
 }
 
 TEST(SolveScenario, RefusesOneOfSeveralTargetsThatIsHiddenInTheGoal) {
-  Scenario scenario = shipped("level3x2-0001");
+  Scenario scenario = shipped("two-targets/level3x2-0001");
   auto& goal = std::get<PictureInput>(scenario.input).goal;
   std::replace(goal.mask.begin(), goal.mask.end(), scenario.targets[1], std::uint8_t{0});
   EXPECT_THAT([&] { solveScenario(scenario, shippedModel(), JointPlanner()); },
