@@ -28,8 +28,9 @@ TEST(PlanFileFuzz, DamagedFilesAreRefusedOrReadAndReplayedOrNamed) {
                              const PlanReplay replayed = replay(graph, plan.steps);
                              EXPECT_LE(replayed.states.size(), plan.steps.size());
                              failed += replayed.failure ? 1 : 0;
-                             if (!replayed.failure)
+                             if (!replayed.failure) {
                                EXPECT_EQ(replayed.states.size(), plan.steps.size());
+                             }
                            } catch (const InputError& error) {
                              ++refused;
                              for (const Fault& fault : error.faults()) {
