@@ -91,23 +91,25 @@ TEST(JointSpace, NoTwoTargetsShareACell) {
 }
 
 TEST(JointSpace, AColourIsTakenFromWhereTheDyerHasMoved) {
-  const JointWorld world = dyerWorld(1);  // no second dyer
   const GridValidity validity;
-  JointSpace space(world.model, world.problem, validity, rules());
   std::size_t dyed = 0;
   std::vector<JointSuccessor> next;
-  for (const JointState state : reachable(space)) {
-    const Cell thing = world.model.grounding.cell(space.symbols(state, 0));
-    const Cell dyer = world.model.grounding.cell(space.symbols(state, 1));
-    const bool beside = std::abs(thing.x - dyer.x) + std::abs(thing.y - dyer.y) == 1;
-    const bool differs = space.symbols(state, 0)[index(Concept::kColor)] !=
-                         space.symbols(state, 1)[index(Concept::kColor)];
-    space.successors(state, next);
-    const auto dyes = std::ranges::count_if(next, [](const JointSuccessor& step) {
-      return step.target == 0 && step.step.action == Action::kChangeColor;
-    });
-    EXPECT_EQ(dyes, beside && differs ? 1 : 0);
-    dyed += static_cast<std::size_t>(dyes);
+  for (const std::uint64_t seed : {1u, 3u, 5u, 7u}) {  // worlds with one dyer
+    const JointWorld world = dyerWorld(seed);
+    JointSpace space(world.model, world.problem, validity, rules());
+    for (const JointState state : reachable(space)) {
+      const Cell thing = world.model.grounding.cell(space.symbols(state, 0));
+      const Cell dyer = world.model.grounding.cell(space.symbols(state, 1));
+      const bool beside = std::abs(thing.x - dyer.x) + std::abs(thing.y - dyer.y) == 1;
+      const bool differs = space.symbols(state, 0)[index(Concept::kColor)] !=
+                           space.symbols(state, 1)[index(Concept::kColor)];
+      space.successors(state, next);
+      const auto dyes = std::ranges::count_if(next, [](const JointSuccessor& step) {
+        return step.target == 0 && step.step.action == Action::kChangeColor;
+      });
+      EXPECT_EQ(dyes, beside && differs ? 1 : 0);
+      dyed += static_cast<std::size_t>(dyes);
+    }
   }
   EXPECT_GT(dyed, 0u);
 }
