@@ -18,7 +18,7 @@ struct SearchLimits {
 
 struct PlanQuery {
   std::size_t top = 5;  ///< most plans to return, >= 1
-  SearchLimits limits;
+  SearchLimits limits = {};
   std::uint64_t seed = 0;  ///< for planners that draw
 };
 

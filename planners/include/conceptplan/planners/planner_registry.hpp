@@ -16,10 +16,10 @@ namespace conceptplan {
 /// All that is said of a planner, and how to make one.
 struct PlannerEntry {
   std::string name;
-  std::string summary;                  ///< one line
-  std::string source;                   ///< citation
-  std::vector<std::string> guarantees;  ///< what holds of its answers
-  std::vector<PlannerOption> options;
+  std::string summary;                       ///< one line
+  std::string source = {};                   ///< citation
+  std::vector<std::string> guarantees = {};  ///< what holds of its answers
+  std::vector<PlannerOption> options = {};
   std::function<std::unique_ptr<Planner>(const OptionValues&)> make;
   /// The same search for several targets; empty if there is none.
   std::function<JointPlanner(const OptionValues&)> make_joint = {};
