@@ -13,7 +13,7 @@ inline void addLimits(CLI::App& command, SearchLimits& limits) {
       ->type_name("S");
   command
       .add_option("--expansions", limits.max_expansions,
-                  "Expansions after which a search gives up; 200000 if left out")
+                  "Expansions after which a search gives up; 20000 if left out")
       ->check(CLI::Range(1, 2000000000))
       ->type_name("N");
   command
