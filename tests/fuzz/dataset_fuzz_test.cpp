@@ -92,8 +92,9 @@ TEST(DatasetFuzz, DamagedManifestsAreRefusedOrTheSame) {
                            folder.write("dataset.json", bytes);
                            try {
                              const ConceptDataset dataset(folder.path());
-                             if (dataset.options() != kOptions)
+                             if (dataset.options() != kOptions) {
                                EXPECT_GT(refusedSamples(folder.path()), 0U);
+                             }
                            } catch (const InputError&) {
                            }
                          });

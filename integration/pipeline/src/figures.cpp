@@ -22,7 +22,7 @@ std::vector<figures::ReadObject> readObjects(const Model& model, const ConceptDa
   std::vector<figures::ReadObject> objects;
   std::vector<EncoderInput> inputs;
   for (const std::size_t position : positions) {
-    objects.push_back({data.sample(position), {}, {}});
+    objects.emplace_back().sample = data.sample(position);
     inputs.push_back(encoderInput(objects.back().sample.crop));
   }
   for (std::size_t begin = 0; begin < objects.size(); begin += kBatch) {

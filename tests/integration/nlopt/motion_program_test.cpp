@@ -95,7 +95,7 @@ TEST_P(MotionProgramGradient, OfTheConstraintsIsThatOfFiniteDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(PushedAndLifted, MotionProgramGradient, ::testing::Bool(),
-                         [](const auto& info) { return info.param ? "Lifted" : "Pushed"; });
+                         [](const auto& test) { return test.param ? "Lifted" : "Pushed"; });
 
 TEST(MotionProgram, VariablesAndTrajectoriesAreOneAnother) {
   std::mt19937_64 random(7);
@@ -103,7 +103,9 @@ TEST(MotionProgram, VariablesAndTrajectoriesAreOneAnother) {
   for (const bool lifted : {false, true}) {
     const MotionProgram program = programOf(task, lifted);
     const Trajectory discrete = discreteTrajectory(task, 1);
-    if (!lifted) EXPECT_EQ(program.trajectoryOf(program.startOf(discrete)), discrete);
+    if (!lifted) {
+      EXPECT_EQ(program.trajectoryOf(program.startOf(discrete)), discrete);
+    }
     const Eigen::VectorXd variables = somewhere(program, random);
     const Trajectory motion = program.trajectoryOf(variables);
     EXPECT_EQ(motion.at(0), discrete.at(0));
