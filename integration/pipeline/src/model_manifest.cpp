@@ -71,12 +71,14 @@ ModelManifest parse(const Json& json, const std::filesystem::path& path,
     if (std::find(stages.begin(), stages.end(), name(stage)) != stages.end())
       manifest.stages.push_back(stage);
   if (manifest.stages.size() != stages.size()) fault("stages", "holds an unknown stage");
-  for (const auto& [file, checksum] : manifest.files)
+  for (const auto& entry : manifest.files) {
+    const std::string& file = entry.first;
     if (std::none_of(manifest.stages.begin(), manifest.stages.end(), [&](TrainingStage stage) {
           const std::vector<const char*> known = filesOf(stage);
           return std::find(known.begin(), known.end(), file) != known.end();
         }))
       fault("files", "\"" + file + "\" is of no stage that is done");
+  }
   return manifest;
 }
 
