@@ -5,6 +5,7 @@ set(files_headers
   include/conceptplan/domain/files/checksum.hpp
   include/conceptplan/domain/files/json_depth.hpp
   include/conceptplan/domain/files/nearest_name.hpp
+  include/conceptplan/domain/files/program_path.hpp
   include/conceptplan/domain/files/rgbd_image_file.hpp
   include/conceptplan/domain/scenario/reference.hpp
   include/conceptplan/domain/scenario/scenario.hpp
@@ -14,6 +15,7 @@ set(files_sources
   src/files/checksum.cpp
   src/files/json_depth.cpp
   src/files/nearest_name.cpp
+  src/files/program_path.cpp
   src/files/png_format.cpp
   src/files/rgbd_image_file.cpp
   src/scenario/reference.cpp

@@ -21,6 +21,7 @@ conceptplan_library(learner
     include/conceptplan/learner/torch/encoder_batch.hpp
     include/conceptplan/learner/torch/frame_synthesizer.hpp
     include/conceptplan/learner/torch/module_tensors.hpp
+    include/conceptplan/learner/torch/object_drawer.hpp
     include/conceptplan/learner/torch/token_tensors.hpp
     include/conceptplan/learner/torch/training_state.hpp
     include/conceptplan/learner/torch/vict_trainer.hpp
@@ -47,6 +48,7 @@ conceptplan_library(learner
     src/torch/encoder_batch.cpp
     src/torch/frame_synthesizer.cpp
     src/torch/module_tensors.cpp
+    src/torch/object_drawer.cpp
     src/torch/token_tensors.cpp
     src/torch/training_state.cpp
     src/torch/vict_trainer.cpp

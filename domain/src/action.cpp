@@ -11,6 +11,8 @@ constexpr std::array<std::string_view, kNumActions> kNames{
 
 std::string_view name(Action action) { return kNames.at(index(action)); }
 
+std::vector<std::string_view> actionNames() { return {kNames.begin(), kNames.end()}; }
+
 std::optional<Action> actionNamed(std::string_view name) {
   for (const Action candidate : kActions)
     if (kNames[index(candidate)] == name) return candidate;

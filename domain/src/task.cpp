@@ -49,4 +49,10 @@ std::optional<RenderDomain> renderDomainNamed(std::string_view name) {
   return named<RenderDomain>(kRenderDomains, name);
 }
 
+std::vector<FurtherTarget> targetsOf(const Task& task) {
+  std::vector<FurtherTarget> targets{{task.initial.target, task.goal}};
+  targets.insert(targets.end(), task.further.begin(), task.further.end());
+  return targets;
+}
+
 }  // namespace conceptplan

@@ -1,22 +1,16 @@
 #include "joint_space.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <stdexcept>
 #include <utility>
+
+#include "path_search.hpp"
 
 namespace conceptplan {
 namespace {
 
 constexpr JointState kMostJointStates = std::numeric_limits<std::int64_t>::max();
-
-struct Reached {
-  JointRank rank;
-  TargetState state;
-  bool operator>(const Reached& other) const { return rank > other.rank; }
-};
 
 std::string nameOf(const TargetGoal& target) {
   return target.name.empty() ? "object " + std::to_string(target.object) : target.name;
@@ -79,35 +73,16 @@ void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& s
   }
 }
 
-/// Dijkstra's algorithm from the goal over the reversed possible steps.
 std::vector<JointRank> JointSpace::ranksToGoal(std::size_t target) const {
   const JointTarget& moved = targets_[target];
-  struct Edge {
-    TargetState from;
-    JointRank rank;
-  };
-  std::vector<std::vector<Edge>> into(moved.numStates());
+  std::vector<StateEdge> edges;
   for (TargetState state = 0; state < moved.numStates(); ++state) {
     for (const TargetStep& step : moved.possibleSteps(state)) {
-      if (stands(target, step.next)) into[step.next].push_back({state, rankOf(step.cost, 1)});
+      if (!stands(target, step.next)) continue;
+      edges.push_back({StateId(state), StateId(step.next), rankOf(step.cost, 1)});
     }
   }
-  std::vector<JointRank> ranks(moved.numStates(), kOutOfReach);
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
-  const TargetState goal = part(goal_, target);
-  ranks[goal] = 0;
-  open.push({0, goal});
-  while (!open.empty()) {
-    const auto [rank, state] = open.top();
-    open.pop();
-    if (rank > ranks[state]) continue;
-    for (const Edge& edge : into[state]) {
-      if (rank + edge.rank >= ranks[edge.from]) continue;
-      ranks[edge.from] = rank + edge.rank;
-      open.push({ranks[edge.from], edge.from});
-    }
-  }
-  return ranks;
+  return leastCosts(moved.numStates(), StateId(part(goal_, target)), edges);
 }
 
 std::string JointSpace::findContradiction() {

@@ -158,6 +158,7 @@ JointTarget::JointTarget(const SymbolicModel& model, std::span<const Symbols> sc
     changeable[index(which)] = model.transitions.changes(which, rules_.frozen_tolerance);
   }
   const bool types_change = changeable[index(Concept::kType)];
+  const std::vector<ContextFeature> features = featuresOf(model, changeable);
   std::vector<Symbols> others;
   OpenTypes open(cardinality[index(Concept::kType)], false);
   for (std::size_t i = 0; i < scene.size(); ++i) {
@@ -167,7 +168,7 @@ JointTarget::JointTarget(const SymbolicModel& model, std::span<const Symbols> sc
     const SymbolId type = scene[i][index(Concept::kType)];
     if (types_change) open.assign(open.size(), true);
     open[index(type)] = true;
-    for (const ContextFeature& feature : featuresOf(model, changeable)) {
+    for (const ContextFeature& feature : features) {
       if (feature.kind == ContextKind::kOwnSymbol) continue;
       if (types_change || feature.type == type) watched_[i] = true;
     }

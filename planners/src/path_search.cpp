@@ -51,18 +51,12 @@ class ExpandedLengths {
   std::vector<Entry> entries_;
 };
 
-struct ReachedEdge {
-  StateId from;
-  StateId to;
-  PathCost cost;
-};
-
 /// All edges out of the states that the start leads to; nothing if a limit strikes.
-std::optional<std::vector<ReachedEdge>> reachedEdges(std::size_t num_states, StateId start,
-                                                     const SuccessorFunction& successors,
-                                                     SearchGuard& guard,
-                                                     SearchStatistics& statistics) {
-  std::vector<ReachedEdge> edges;
+std::optional<std::vector<StateEdge>> reachedEdges(std::size_t num_states, StateId start,
+                                                   const SuccessorFunction& successors,
+                                                   SearchGuard& guard,
+                                                   SearchStatistics& statistics) {
+  std::vector<StateEdge> edges;
   std::vector<bool> seen(num_states, false);
   std::vector<StateId> open{start};
   std::vector<Successor> next;
@@ -85,22 +79,22 @@ std::optional<std::vector<ReachedEdge>> reachedEdges(std::size_t num_states, Sta
 /// Edges grouped by the state that they lead to.
 class EdgesByEnd {
  public:
-  EdgesByEnd(std::size_t num_states, std::span<const ReachedEdge> edges)
+  EdgesByEnd(std::size_t num_states, std::span<const StateEdge> edges)
       : first_(num_states + 1, 0), edges_(edges.size()) {
-    for (const ReachedEdge& edge : edges) ++first_[index(edge.to) + 1];
+    for (const StateEdge& edge : edges) ++first_[index(edge.to) + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     std::vector<std::size_t> free(first_.begin(), first_.end() - 1);
-    for (const ReachedEdge& edge : edges) edges_[free[index(edge.to)]++] = edge;
+    for (const StateEdge& edge : edges) edges_[free[index(edge.to)]++] = edge;
   }
 
-  std::span<const ReachedEdge> operator[](StateId end) const {
+  std::span<const StateEdge> operator[](StateId end) const {
     return std::span(edges_).subspan(first_[index(end)],
                                      first_[index(end) + 1] - first_[index(end)]);
   }
 
  private:
   std::vector<std::size_t> first_;
-  std::vector<ReachedEdge> edges_;
+  std::vector<StateEdge> edges_;
 };
 
 }  // namespace
@@ -149,14 +143,9 @@ std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_t
       [](StateId) { return PathCost{0}; }, options, guard, statistics);
 }
 
-std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, StateId start,
-                                                     StateId goal,
-                                                     const SuccessorFunction& successors,
-                                                     SearchGuard& guard,
-                                                     SearchStatistics& statistics) {
-  const auto edges = reachedEdges(num_states, start, successors, guard, statistics);
-  if (!edges) return std::nullopt;
-  const EdgesByEnd into(num_states, *edges);
+std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
+                                 std::span<const StateEdge> edges) {
+  const EdgesByEnd into(num_states, edges);
   std::vector<PathCost> distance(num_states, kOutOfReach);
   using Reached = std::pair<PathCost, StateId>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
@@ -166,7 +155,7 @@ std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, Sta
     const auto [cost, state] = open.top();
     open.pop();
     if (cost > distance[index(state)]) continue;
-    for (const ReachedEdge& edge : into[state]) {
+    for (const StateEdge& edge : into[state]) {
       const PathCost longer = cost + edge.cost;
       if (longer >= distance[index(edge.from)]) continue;
       distance[index(edge.from)] = longer;
@@ -174,6 +163,16 @@ std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, Sta
     }
   }
   return distance;
+}
+
+std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, StateId start,
+                                                     StateId goal,
+                                                     const SuccessorFunction& successors,
+                                                     SearchGuard& guard,
+                                                     SearchStatistics& statistics) {
+  const auto edges = reachedEdges(num_states, start, successors, guard, statistics);
+  if (!edges) return std::nullopt;
+  return leastCosts(num_states, goal, *edges);
 }
 
 }  // namespace conceptplan

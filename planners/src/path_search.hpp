@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "conceptplan/planners/search_guard.hpp"
@@ -38,9 +39,20 @@ std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_t
                                      StateId start, StateId goal, const PathSearchOptions& options,
                                      SearchGuard& guard, SearchStatistics& statistics);
 
+/// One step between two states.
+struct StateEdge {
+  StateId from;
+  StateId to;
+  PathCost cost;  ///< >= 0
+};
+
+/// The least cost from each state to the goal along the edges, [num_states]; kOutOfReach where
+/// there is no way. Source: E. W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph.
+std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
+                                 std::span<const StateEdge> edges);
+
 /// The least cost from each state to the goal, [num_states]; kOutOfReach where there is no way and
-/// for states that the start does not lead to. Nothing if a limit strikes.
-/// Source: E. W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph.
+/// for states that the start does not lead to. Nothing if a limit strikes. Source: `leastCosts`.
 std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, StateId start,
                                                      StateId goal,
                                                      const SuccessorFunction& successors,

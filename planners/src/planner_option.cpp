@@ -50,6 +50,16 @@ PlannerOption PlannerOption::choice(std::string name, std::vector<std::string> c
           std::move(choices), std::move(summary)};
 }
 
+PlannerOption PlannerOption::legalityThreshold() {
+  return number("legality_threshold", "0.01", 0, 1,
+                "an action is legal where Pr[a given the symbols] is greater");
+}
+
+PlannerOption PlannerOption::stepDiscount(double least) {
+  return number("step_discount", "0.01", least, 0.5,
+                "share by which one more action must raise a plan's probability to rank first");
+}
+
 std::string PlannerOption::typeName() const {
   switch (type) {
     case OptionType::kNumber:

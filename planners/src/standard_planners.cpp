@@ -11,18 +11,7 @@
 namespace conceptplan {
 namespace {
 
-PlannerOption legalityThreshold() {
-  return PlannerOption::number("legality_threshold", "0.01", 0, 1,
-                               "an action is legal where Pr[a given the symbols] is greater");
-}
-
 constexpr double kMostCount = 100'000;
-
-PlannerOption stepDiscount(double least) {
-  return PlannerOption::number(
-      "step_discount", "0.01", least, 0.5,
-      "share by which one more action must raise a plan's probability to rank first");
-}
 
 PlannerOption epsilon(std::string summary) {
   return PlannerOption::number("epsilon", "1e-6", 1e-12, 0.1, std::move(summary));
@@ -49,7 +38,7 @@ PlannerEntry beliefEntry() {
        "The first plan is the best one within the horizon, up to start states "
        "below min_hypothesis; a search stopped by a limit says so.",
        "infeasible is proved on the compiled graph; giving up is limit or timeout."},
-      {legalityThreshold(),
+      {PlannerOption::legalityThreshold(),
        PlannerOption::choice("symbols", {"soft", "hard"},
                              "plan with the whole belief, or with the most probable symbols alone"),
        PlannerOption::choice(
@@ -60,7 +49,7 @@ PlannerEntry beliefEntry() {
            "alternatives", {"outcomes", "paths"},
            "further plans lead to other outcomes first, or are the next most probable sequences "
            "whatever their outcome"),
-       stepDiscount(0),
+       PlannerOption::stepDiscount(),
        PlannerOption::number(
            "min_probability", "0.001", 0, 1,
            "least probability of a plan where the most probable goal is out of reach"),
@@ -105,7 +94,7 @@ PlannerEntry bfsEntry() {
        "The first plan has the fewest actions among those in which every action has its most "
        "probable outcome.",
        kProvedOnLikelyOutcomes, kBestForSeveral},
-      {legalityThreshold()},
+      {PlannerOption::legalityThreshold()},
       [](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<BfsPlanner>(BfsPlannerOptions{values.number("legality_threshold")});
       },
@@ -141,7 +130,7 @@ PlannerEntry bestFirstEntry(std::string name, std::string summary, std::string s
           std::move(summary),
           std::move(source),
           std::move(guarantees),
-          {legalityThreshold(), stepDiscount(0)},
+          {PlannerOption::legalityThreshold(), PlannerOption::stepDiscount()},
           [guidance, greedy](const OptionValues& values) -> std::unique_ptr<Planner> {
             BestFirstPlannerOptions options;
             options.legality_threshold = values.number("legality_threshold");
@@ -203,7 +192,7 @@ PlannerEntry idaStarEntry() {
       {"One plan, the best one within the horizon; cost as for dijkstra. If a limit strikes, the "
        "best plan found so far.",
        kProvedOnLikelyOutcomes},
-      {legalityThreshold(), stepDiscount(0)},
+      {PlannerOption::legalityThreshold(), PlannerOption::stepDiscount()},
       [](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<IdaStarPlanner>(IdaStarPlannerOptions{
             values.number("legality_threshold"), values.number("step_discount")});
@@ -217,7 +206,7 @@ PlannerEntry beamEntry() {
           {"Plans are distinct and by rising cost, as for dijkstra; none need be the best.",
            "At most width sequences of each length; limit if these were too few to find a plan.",
            kProvedOnLikelyOutcomes},
-          {legalityThreshold(), stepDiscount(0),
+          {PlannerOption::legalityThreshold(), PlannerOption::stepDiscount(),
            PlannerOption::integer("width", "500", 1, kMostCount,
                                   "action sequences kept of each length")},
           [](const OptionValues& values) -> std::unique_ptr<Planner> {
@@ -244,7 +233,8 @@ PlannerEntry valueIterationEntry() {
        "seen after each action: the expected (1 - step_discount)^steps over runs that reach the "
        "goal.",
        kPolicyPlans, kProvedOnAllOutcomes},
-      {legalityThreshold(), stepDiscount(1e-4), epsilon("largest error of a value")},
+      {PlannerOption::legalityThreshold(), PlannerOption::stepDiscount(1e-4),
+       epsilon("largest error of a value")},
       [](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<ValueIterationPlanner>(
             ValueIterationPlannerOptions{values.number("legality_threshold"),
@@ -260,7 +250,7 @@ PlannerEntry lrtdpEntry() {
       {"The value of the start is that of the best policy to within epsilon / step_discount; other "
        "values are upper bounds, by which the plans after the first are ordered.",
        kPolicyPlans, kProvedOnAllOutcomes},
-      {legalityThreshold(), stepDiscount(1e-4),
+      {PlannerOption::legalityThreshold(), PlannerOption::stepDiscount(1e-4),
        epsilon("change of a value below which a state is solved")},
       [](const OptionValues& values) -> std::unique_ptr<Planner> {
         return std::make_unique<LrtdpPlanner>(
@@ -277,7 +267,7 @@ PlannerEntry mctsEntry() {
       "doi:10.1007/11871842_29.",
       {"Values tend to those of the best policy as iterations grow; no plan need be the best.",
        kPolicyPlans, kProvedOnAllOutcomes},
-      {legalityThreshold(), stepDiscount(1e-4),
+      {PlannerOption::legalityThreshold(), PlannerOption::stepDiscount(1e-4),
        PlannerOption::integer("iterations", "500", 1, kMostCount,
                               "simulated runs; each is one expansion"),
        PlannerOption::number("exploration", "0.1", 0, 10, "weight of the confidence bound")},

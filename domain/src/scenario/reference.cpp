@@ -30,12 +30,6 @@ std::vector<std::string_view> colorNames() {
   return names;
 }
 
-std::vector<std::string_view> actionNames() {
-  std::vector<std::string_view> names;
-  for (const Action action : kActions) names.push_back(name(action));
-  return names;
-}
-
 class ReferenceReader {
  public:
   explicit ReferenceReader(const std::filesystem::path& path) : document_(loadYaml(path)) {}
@@ -256,12 +250,12 @@ void emitObject(YAML::Emitter& out, const ObjectState& object) {
 }
 
 void emitTargets(YAML::Emitter& out, const Task& task) {
-  std::vector<std::size_t> targets{task.initial.target + 1};
-  for (const FurtherTarget& target : task.further) targets.push_back(target.object + 1);
-  out << YAML::Key << "targets" << YAML::Value << YAML::Flow << targets;
+  const std::vector<FurtherTarget> targets = targetsOf(task);
+  out << YAML::Key << "targets" << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const FurtherTarget& target : targets) out << target.object + 1;
+  out << YAML::EndSeq;
   out << YAML::Key << "goals" << YAML::Value << YAML::BeginSeq;
-  emitObject(out, task.goal);
-  for (const FurtherTarget& target : task.further) emitObject(out, target.goal);
+  for (const FurtherTarget& target : targets) emitObject(out, target.goal);
   out << YAML::EndSeq;
   out << YAML::Key << "moved" << YAML::Value << YAML::Flow << YAML::BeginSeq;
   for (const std::size_t moved : task.moved) out << moved + 1;

@@ -24,13 +24,6 @@ Failure failureOf(Obstruction obstruction) {
   throw std::invalid_argument("no obstruction " + std::to_string(static_cast<int>(obstruction)));
 }
 
-/// All targets of the task with their goals.
-std::vector<FurtherTarget> targetsOf(const Task& task) {
-  std::vector<FurtherTarget> targets{{task.initial.target, task.goal}};
-  targets.insert(targets.end(), task.further.begin(), task.further.end());
-  return targets;
-}
-
 std::optional<Failure> mismatch(const World& last, const Task& task) {
   const std::vector<FurtherTarget> targets = targetsOf(task);
   const auto differs = [&](auto part) {

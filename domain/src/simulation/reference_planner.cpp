@@ -99,14 +99,14 @@ class Search {
 /// Breadth-first search over the states of several targets.
 class JointSearch {
  public:
-  explicit JointSearch(const Task& task) : world_(task.initial), objects_{task.initial.target} {
-    for (const FurtherTarget& target : task.further) objects_.push_back(target.object);
-    std::vector<ObjectState> goal{task.goal};
-    for (const FurtherTarget& target : task.further) goal.push_back(target.goal);
-    std::vector<ObjectState> start;
-    for (const std::size_t object : objects_) start.push_back(world_.objects.at(object));
-    for (std::size_t i = 0; i < goal.size(); ++i) {
-      reachable_ = reachable_ && goal[i].type == start[i].type && goal[i].size == start[i].size;
+  explicit JointSearch(const Task& task) : world_(task.initial) {
+    std::vector<ObjectState> start, goal;
+    for (const FurtherTarget& target : targetsOf(task)) {
+      objects_.push_back(target.object);
+      start.push_back(world_.objects.at(target.object));
+      goal.push_back(target.goal);
+      reachable_ = reachable_ && target.goal.type == start.back().type &&
+                   target.goal.size == start.back().size;
     }
     goal_ = pack(goal);
     reach(pack(start), {});

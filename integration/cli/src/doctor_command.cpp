@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "conceptplan/domain/files/program_path.hpp"
 #include "conceptplan/pipeline/model.hpp"
 #include "conceptplan/planners/pddl/fast_downward_planner.hpp"
 #include "exit_code.hpp"
@@ -60,11 +61,8 @@ Check checkThreads() {
 
 /// Needed by one test alone, so its absence is no fault.
 Check checkChromium() {
-  std::istringstream folders(std::getenv("PATH") ? std::getenv("PATH") : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const auto path = std::filesystem::path(folder) / "chromium";
-    std::error_code error;
-    if (std::filesystem::exists(path, error)) return {"chromium", true, path.string(), ""};
+  if (const auto program = findOnPath("chromium")) {
+    return {"chromium", true, program->string(), ""};
   }
   return {"chromium", true, "not found", "optional: install chromium to test the report"};
 }

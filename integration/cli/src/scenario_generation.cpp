@@ -57,8 +57,7 @@ void shutIn(Task& task) {
 
 World goalWorld(const Task& task) {
   World world = task.initial;
-  world.objects[world.target] = task.goal;
-  for (const FurtherTarget& target : task.further) world.objects[target.object] = target.goal;
+  for (const FurtherTarget& target : targetsOf(task)) world.objects[target.object] = target.goal;
   return world;
 }
 
@@ -68,13 +67,12 @@ Scenario makeScenario(const ScenarioSetOptions& options, const std::string& name
   Scenario scenario;
   scenario.name = name;
   scenario.model = options.model;
-  const auto target = static_cast<std::uint8_t>(task.initial.target + 1);
-  if (task.further.empty()) {
-    scenario.target = target;
+  const std::vector<FurtherTarget> targets = targetsOf(task);
+  if (targets.size() == 1) {
+    scenario.target = static_cast<std::uint8_t>(task.initial.target + 1);
   } else {
-    scenario.targets = {target};
-    for (const FurtherTarget& further : task.further) {
-      scenario.targets.push_back(static_cast<std::uint8_t>(further.object + 1));
+    for (const FurtherTarget& target : targets) {
+      scenario.targets.push_back(static_cast<std::uint8_t>(target.object + 1));
     }
     scenario.planner.name = "astar";
   }
@@ -89,9 +87,10 @@ Scenario makeScenario(const ScenarioSetOptions& options, const std::string& name
     input.objects.push_back(symbolsOf(object, options.grounding));
   }
   input.goal = symbolsOf(task.goal, options.grounding);
-  if (!task.further.empty()) input.goals = {input.goal};
-  for (const FurtherTarget& further : task.further) {
-    input.goals.push_back(symbolsOf(further.goal, options.grounding));
+  if (targets.size() > 1) {
+    for (const FurtherTarget& target : targets) {
+      input.goals.push_back(symbolsOf(target.goal, options.grounding));
+    }
   }
   scenario.input = std::move(input);
   return scenario;

@@ -14,9 +14,7 @@ struct OmplEntry {
 
 std::vector<PlannerOption> optionsOf(const OmplEntry& entry) {
   const OmplPlannerOptions standard;
-  std::vector<PlannerOption> options{
-      PlannerOption::number("legality_threshold", "0.01", 0, 1,
-                            "an action is legal where Pr[a given the symbols] is greater")};
+  std::vector<PlannerOption> options{PlannerOption::legalityThreshold()};
   if (entry.goal_bias) {
     options.push_back(PlannerOption::number("goal_bias", "0.05", 0, 1,
                                             "share of the samples that are drawn at the goal"));

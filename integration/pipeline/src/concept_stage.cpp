@@ -29,6 +29,7 @@ bool trainConcepts(const Run& run, ModelManifest&) {
                                   {"reconstruction", losses.reconstruction},
                                   {"direct", losses.direct},
                                   {"location", losses.location},
+                                  {"sharpness", losses.sharpness},
                                   {"reading", losses.reading}}
         .dump();
   };

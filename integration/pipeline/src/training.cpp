@@ -29,7 +29,7 @@ Profile paperProfile() {
   profile.concepts.chains = 8;
   profile.concepts.reconstruction_start = 0;
   profile.concepts.sharpening_steps = 0;
-  profile.concepts.decoder_steps = 0;
+  profile.concepts.drawer_steps = 0;
   profile.concepts.learning_rate = 3e-4;
   profile.concepts.tokenizer_rate_share = 1.0 / 30;
   profile.concepts.reconstruction_weight = 1;
@@ -47,9 +47,9 @@ Profile smokeProfile() {
   profile.symbol_images = 400;
   profile.concepts.encoder_steps = 2;
   profile.concepts.sharpening_steps = 1;
-  profile.concepts.decoder_steps = 1;
+  profile.concepts.drawer_steps = 1;
   profile.concepts.chains = 2;
-  profile.concepts.decoder_chains = 1;
+  profile.concepts.drawer_chains = 1;
   profile.concepts.reconstructed_pairs = 2;
   profile.vict.transition_steps = 4;
   profile.vict.transition_batch = 8;

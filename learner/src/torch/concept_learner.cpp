@@ -45,7 +45,7 @@ std::vector<DrawnObject> ConceptLearner::draw(std::span<const Tokens> tokens) co
   const torch::InferenceMode inference;
   const auto input = toTensor(tokens);
   ConceptNetwork& network = network_->network;
-  const DecodedObject decoded = network->decode(network->detokenize(input));
+  const DecodedObject decoded = network->draw(input);
   const auto location = network->locate(input).contiguous();
   auto planes = torch::cat({decoded.rgb, decoded.depth, torch::sigmoid(decoded.mask_logits)}, 1);
   if (network->encoderKind() == EncoderKind::kFullFrame) planes = cropsOf(planes, location);

@@ -17,6 +17,13 @@ torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor
          0.1 * torch::binary_cross_entropy_with_logits(drawn.mask_logits, mask);
 }
 
+torch::Tensor absoluteColorLoss(const DecodedObject& drawn, const torch::Tensor& planes,
+                                double foreground_weight) {
+  const auto weight = 1 + (foreground_weight - 1) * planes.slice(1, 4, 5);
+  const auto error = (drawn.rgb - planes.slice(1, 0, 3)).abs().mean(1, /*keepdim=*/true);
+  return (weight * error).sum() / weight.sum();
+}
+
 torch::Tensor conceptDisentanglingLoss(const torch::Tensor& first, const torch::Tensor& second,
                                        const torch::Tensor& differing) {
   const auto distances = ((first - second).square().sum(-1) + 1e-6).sqrt();  // [B, 6]

@@ -112,6 +112,7 @@ ConceptNetworkImpl::ConceptNetworkImpl(EncoderKind encoder) : encoder_kind_(enco
     prototypes_.push_back(register_parameter(
         "prototypes_" + std::string(conceptplan::name(which)),
         torch::randn({static_cast<std::int64_t>(kConceptCardinality[index(which)]), kTokenWidth})));
+  if (centred) drawer_ = register_module("drawer", ObjectDrawer());
 }
 
 torch::Tensor ConceptNetworkImpl::encode(const torch::Tensor& planes) {
@@ -145,6 +146,11 @@ DecodedObject ConceptNetworkImpl::decode(const torch::Tensor& z) {
   const auto drawn = decoder_->forward(z);
   return {torch::sigmoid(drawn.slice(1, 0, 3)), drawn.slice(1, 3, 4),
           torch::sigmoid(drawn.slice(1, 4, 5))};
+}
+
+DecodedObject ConceptNetworkImpl::draw(const torch::Tensor& tokens) {
+  if (drawer_.is_empty()) return decode(detokenize(tokens));
+  return drawer_->forward(tokens, drawer_->locateInCrop(tokens));
 }
 
 torch::Tensor ConceptNetworkImpl::locate(const torch::Tensor& tokens) {

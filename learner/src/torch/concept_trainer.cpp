@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <sstream>
+#include <stdexcept>
 
 #include "conceptplan/learner/torch/concept_losses.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
@@ -55,6 +56,17 @@ ChainBatch drawBatch(const ConceptImages& images, const ChainSampler& sampler, s
           torch::tensor(differing), changed.unbind()};
 }
 
+/// What the network makes of a batch.
+struct ReadBatch {
+  torch::Tensor planes, z, tokens;  // [B, 5, E, E], [B, channels, 8, 8], [B, 6, 64]
+};
+
+ReadBatch readBatch(ConceptNetwork& network, const EncoderBatch& images) {
+  const auto planes = encoderPlanes(images.bytes, images.location, network->encoderKind());
+  const auto z = network->encode(planes);
+  return {planes, z, network->tokenize(z, images.location)};
+}
+
 /// Mean squared error of the tokens that drawn objects are read as, against those they were drawn
 /// from. tokens [B, 6, 64], location [B, 3].
 torch::Tensor readingLoss(ConceptNetwork& network, const DecodedObject& drawn,
@@ -66,50 +78,47 @@ torch::Tensor readingLoss(ConceptNetwork& network, const DecodedObject& drawn,
   return torch::mse_loss(network->tokenize(network->encode(planes), location), tokens);
 }
 
-/// Whether a parameter serves to draw objects, not to read them.
+/// Whether a parameter serves to show objects.
 bool draws(const std::string& name) {
-  return name.starts_with("detokenizer") || name.starts_with("decoder") ||
-         name.starts_with("locator");
+  return name.starts_with("drawer") || name.starts_with("locator");
 }
 
-/// The terms of Eq. (3) that the decoder learns from, on some pairs of a batch: the
-/// first from its own tokens, the second from the first's tokens with one substituted, Eq. (1), and
-/// the direct branch from the first's latent embedding. With a reading weight the drawn objects are
-/// read again, too. @returns their weighted sum.
-torch::Tensor drawingLoss(ConceptNetwork& network, const ChainBatch& batch,
-                          const torch::Tensor& planes, const torch::Tensor& z,
-                          const torch::Tensor& tokens, const ConceptTrainingOptions& options,
-                          double reading_weight, std::mt19937_64& generator,
-                          ConceptLosses& losses) {
-  if (batch.first.size(0) == 0) return torch::zeros({});
+/// Pairs to draw: the first picture from its own tokens, and the second from the first's with the
+/// differing one substituted, Eq. (1).
+struct PairsToDraw {
+  torch::Tensor first;            // [P]: of each pair
+  torch::Tensor tokens;           // [2P, 6, 64]
+  torch::Tensor truth, location;  // [2P, 5, E, E], [2P, 3]
+};
+
+PairsToDraw choosePairs(const ChainBatch& batch, const ReadBatch& read, std::int64_t pairs,
+                        std::mt19937_64& generator) {
   std::vector<std::int64_t> order(static_cast<std::size_t>(batch.first.size(0)));
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), generator);
-  const auto drawn_pairs = torch::tensor(order).slice(0, 0, options.reconstructed_pairs);
-  const auto first = batch.first.index({drawn_pairs}), second = batch.second.index({drawn_pairs});
+  const auto chosen = torch::tensor(order).slice(0, 0, pairs);
+  const auto first = batch.first.index({chosen}), second = batch.second.index({chosen});
   const auto one_hot =
-      torch::one_hot(batch.differing.index({drawn_pairs}), static_cast<std::int64_t>(kNumConcepts))
+      torch::one_hot(batch.differing.index({chosen}), static_cast<std::int64_t>(kNumConcepts))
           .to(torch::kBool)
           .unsqueeze(-1);
-  const auto substituted = torch::where(one_hot, tokens.index({second}), tokens.index({first}));
-  const auto both = torch::cat({tokens.index({first}), substituted});
+  const auto substituted =
+      torch::where(one_hot, read.tokens.index({second}), read.tokens.index({first}));
   const auto targets = torch::cat({first, second});
-  const auto truth = planes.index({targets});
-  const DecodedObject drawn = network->decode(network->detokenize(both));
-  const auto reconstruction = 2 * reconstructionLoss(drawn, truth, options.foreground_weight);
-  const auto direct =
-      reconstructionLoss(network->decode(z.index({first})), truth.slice(0, 0, first.size(0)),
-                         options.foreground_weight);
-  const auto location = batch.images.location.index({targets});
-  const auto misplacement = torch::smooth_l1_loss(network->locate(both), location, 1, 0.05);
+  return {first, torch::cat({read.tokens.index({first}), substituted}),
+          read.planes.index({targets}), batch.images.location.index({targets})};
+}
+
+/// Errors of the drawn pairs and of where they are put, weighted.
+torch::Tensor drawingLoss(ConceptNetwork& network, const PairsToDraw& pairs,
+                          const DecodedObject& drawn, const ConceptTrainingOptions& options,
+                          ConceptLosses& losses) {
+  const auto reconstruction = 2 * reconstructionLoss(drawn, pairs.truth, options.foreground_weight);
+  const auto misplacement =
+      torch::smooth_l1_loss(network->locate(pairs.tokens), pairs.location, 1, 0.05);
   losses.reconstruction = reconstruction.item<double>();
-  losses.direct = direct.item<double>();
   losses.location = misplacement.item<double>();
-  const auto total = options.reconstruction_weight * (reconstruction + direct) + misplacement;
-  if (reading_weight == 0) return total;
-  const auto reading = readingLoss(network, drawn, location, both);
-  losses.reading = reading.item<double>();
-  return total + reading_weight * reading;
+  return options.reconstruction_weight * reconstruction + misplacement;
 }
 
 /// A fresh network whose weights depend on the seed alone.
@@ -141,6 +150,8 @@ ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainin
       average_(options.encoder),
       optimizer_(parameterGroups(*network_),
                  torch::optim::AdamWOptions(options.learning_rate).weight_decay(1e-4)) {
+  if (options.drawer_steps > 0 && options.encoder == EncoderKind::kFullFrame)
+    throw std::invalid_argument("ConceptTrainer: whole frames have no drawer");
   copyParameters(*average_, *network_);
 }
 
@@ -155,18 +166,18 @@ ConceptLosses ConceptTrainer::step() {
     return static_cast<double>(steps_done_ - begin) / static_cast<double>(steps);
   };
   const std::int64_t sharpening_from = options_.encoder_steps;
-  const std::int64_t decoder_from = sharpening_from + options_.sharpening_steps;
-  const std::int64_t settled_from = decoder_from - options_.revival_interval;
+  const std::int64_t drawer_from = sharpening_from + options_.sharpening_steps;
+  const std::int64_t settled_from = drawer_from - options_.revival_interval;
   if (options_.pair_weight > 0 && steps_done_ > 0 && steps_done_ < settled_from &&
       steps_done_ % options_.revival_interval == 0)
     revivePrototypes(generator);
   // The third phase draws from the tokens of the network that is kept.
-  if (steps_done_ == decoder_from) copyParameters(*network_, *average_);
+  if (steps_done_ == drawer_from) copyParameters(*network_, *average_);
   const ConceptLosses losses =
       steps_done_ < sharpening_from ? tokenStep(generator, progress(0, sharpening_from), false)
-      : steps_done_ < decoder_from
+      : steps_done_ < drawer_from
           ? tokenStep(generator, progress(sharpening_from, options_.sharpening_steps), true)
-          : decoderStep(generator, progress(decoder_from, options_.decoder_steps));
+          : drawerStep(generator, progress(drawer_from, options_.drawer_steps));
   ++steps_done_;
   updateAverage(*average_, *network_, options_.averaging, steps_done_);
   return losses;
@@ -176,9 +187,8 @@ ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progr
                                         bool sharpening) {
   const ChainBatch batch =
       drawBatch(images_, sampler_, options_.chains, options_.augmentation, generator);
-  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
-  const auto z = network_->encode(planes);
-  const auto tokens = network_->tokenize(z, batch.images.location);
+  const ReadBatch read = readBatch(network_, batch.images);
+  const torch::Tensor& tokens = read.tokens;
 
   ConceptLosses losses;
   const auto disentangling = conceptDisentanglingLoss(
@@ -201,9 +211,18 @@ ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progr
   auto total = options_.disentangling_weight * disentangling + options_.pair_weight * pair +
                options_.use_weight * use;
   if (sharpening) total = total + options_.confidence_weight * confidence;
-  if (!sharpening && progress >= options_.reconstruction_start)
-    total = total + drawingLoss(network_, batch, planes, z, tokens, options_, 0, generator, losses);
-  descend(total, progress);
+  const bool drawing = !sharpening && progress >= options_.reconstruction_start;
+  if (drawing && batch.first.size(0) > 0) {
+    const PairsToDraw pairs = choosePairs(batch, read, options_.reconstructed_pairs, generator);
+    const DecodedObject drawn = network_->decode(network_->detokenize(pairs.tokens));
+    const auto direct = reconstructionLoss(network_->decode(read.z.index({pairs.first})),
+                                           pairs.truth.slice(0, 0, pairs.first.size(0)),
+                                           options_.foreground_weight);
+    losses.direct = direct.item<double>();
+    total = total + drawingLoss(network_, pairs, drawn, options_, losses) +
+            options_.reconstruction_weight * direct;
+  }
+  descend(total, progress, 1);
   return losses;
 }
 
@@ -211,8 +230,7 @@ void ConceptTrainer::revivePrototypes(std::mt19937_64& generator) {
   const torch::NoGradGuard no_gradient;
   const ChainBatch batch =
       drawBatch(images_, sampler_, kUseBatches * options_.chains, options_.augmentation, generator);
-  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
-  const auto tokens = network_->tokenize(network_->encode(planes), batch.images.location);
+  const torch::Tensor tokens = readBatch(network_, batch.images).tokens;
   torch::manual_seed(generator());
   for (const Concept which : kConcepts) {
     const auto prototypes = network_->prototypes(which);
@@ -231,26 +249,41 @@ void ConceptTrainer::revivePrototypes(std::mt19937_64& generator) {
   }
 }
 
-ConceptLosses ConceptTrainer::decoderStep(std::mt19937_64& generator, double progress) {
+ConceptLosses ConceptTrainer::drawerStep(std::mt19937_64& generator, double progress) {
   for (auto& parameter : network_->named_parameters())
     if (!draws(parameter.key())) parameter.value().set_requires_grad(false);
   const ChainBatch batch =
-      drawBatch(images_, sampler_, options_.decoder_chains, kNoAugmentation, generator);
-  const auto planes = encoderPlanes(batch.images.bytes, batch.images.location, options_.encoder);
-  const auto z = network_->encode(planes);
-  const auto tokens = network_->tokenize(z, batch.images.location);
+      drawBatch(images_, sampler_, options_.drawer_chains, kNoAugmentation, generator);
   ConceptLosses losses;
-  const auto total = drawingLoss(network_, batch, planes, z, tokens, options_,
-                                 options_.reading_weight, generator, losses);
-  descend(total, progress);
+  auto total = torch::zeros({});
+  if (batch.first.size(0) > 0) {
+    const PairsToDraw pairs = choosePairs(batch, readBatch(network_, batch.images),
+                                          options_.reconstructed_pairs, generator);
+    const auto boxes = network_->drawer()->locateInCrop(pairs.tokens);
+    const auto true_boxes = boundingBoxes(pairs.truth.slice(1, 4, 5));
+    const bool settled = progress >= options_.settling;
+    const DecodedObject drawn =
+        network_->drawer()->forward(pairs.tokens, settled ? boxes : true_boxes);
+    const auto sharpness = absoluteColorLoss(drawn, pairs.truth, options_.foreground_weight);
+    losses.sharpness = sharpness.item<double>();
+    total = drawingLoss(network_, pairs, drawn, options_, losses) +
+            options_.sharpness_weight * sharpness +
+            torch::smooth_l1_loss(boxes, true_boxes, 1, 0.05);
+    if (settled) {
+      const auto reading = readingLoss(network_, drawn, pairs.location, pairs.tokens);
+      losses.reading = reading.item<double>();
+      total = total + options_.reading_weight * reading;
+    }
+  }
+  descend(total, progress, options_.drawer_rate_share);
   return losses;
 }
 
-void ConceptTrainer::descend(const torch::Tensor& loss, double progress) {
+void ConceptTrainer::descend(const torch::Tensor& loss, double progress, double rate_share) {
   // Without a gradient the optimizer leaves a parameter alone; with one of zero it would decay it.
   for (auto& parameter : network_->parameters()) parameter.mutable_grad() = torch::Tensor();
   if (!loss.requires_grad()) return;
-  const double share = learningRateShare(progress, options_.warm_up);
+  const double share = rate_share * learningRateShare(progress, options_.warm_up);
   const auto setRate = [&](std::size_t group, double rate) {
     static_cast<torch::optim::AdamWOptions&>(optimizer_.param_groups()[group].options())
         .lr(rate * share);

@@ -13,6 +13,16 @@ nn::Conv2d convolution(std::int64_t in, std::int64_t out, std::int64_t kernel, s
                         .padding(dilation * (kernel - 1) / 2));
 }
 
+/// Colours without the hole, continued into it by averages over ever larger neighbourhoods of what
+/// is known: the pull-push algorithm of S. J. Gortler et al., 1996, doi:10.1145/237170.237200. seen
+/// [B, 3, E, E], black in the hole; known [B, 1, E, E] in 0..1 -> [B, 3, E, E].
+torch::Tensor continued(const torch::Tensor& seen, const torch::Tensor& known) {
+  if (seen.size(-1) % 2 != 0) return seen / known.clamp_min(1e-6);
+  const auto coarse = continued(torch::avg_pool2d(seen, 2), torch::avg_pool2d(known, 2));
+  return seen + (1 - known) * torch::upsample_bilinear2d(coarse, {seen.size(-2), seen.size(-1)},
+                                                         /*align_corners=*/false);
+}
+
 }  // namespace
 
 FrameSynthesizerImpl::FrameSynthesizerImpl() {
@@ -37,7 +47,8 @@ FrameSynthesizerImpl::FrameSynthesizerImpl() {
 torch::Tensor FrameSynthesizerImpl::forward(const torch::Tensor& background,
                                             const torch::Tensor& hole, const torch::Tensor& object,
                                             const torch::Tensor& alpha) {
-  const auto input = torch::cat({background, hole, object * alpha, alpha}, 1)
+  const auto floor = continued(background, 1 - hole);
+  const auto input = torch::cat({floor, hole, object * alpha, alpha}, 1)
                          .contiguous(torch::MemoryFormat::ChannelsLast);
   const auto at_half = fine_->forward(input);                                 // [B, 24, 48, 48]
   const auto at_quarter = middle_->forward(at_half);                          // [B, 48, 24, 24]
@@ -45,12 +56,11 @@ torch::Tensor FrameSynthesizerImpl::forward(const torch::Tensor& background,
   const auto up = to_middle_->forward(torch::cat({from_deepest, at_quarter}, 1));
   const auto finest = to_fine_->forward(torch::cat({up, at_half}, 1));    // [B, 16, 96, 96]
   const auto drawn = to_frame_->forward(torch::cat({finest, input}, 1));  // [B, 4, 96, 96]
-  // Outside hole and object the background is kept, but for a shade factor and a small change.
-  const auto filled = hole * torch::sigmoid(drawn.slice(1, 0, 3)) +
-                      (1 - hole) * background * (2 * torch::sigmoid(drawn.slice(1, 3, 4))) +
-                      (1 - hole) * 0.25 * torch::tanh(drawn.slice(1, 0, 3));
-  return (alpha * object + (1 - alpha) * filled + alpha * 0.25 * torch::tanh(drawn.slice(1, 0, 3)))
-      .clamp(0, 1);
+  // The floor is kept, but for a shade factor and a change that is small outside the hole.
+  const auto change = torch::tanh(drawn.slice(1, 0, 3));
+  const auto filled =
+      floor * (2 * torch::sigmoid(drawn.slice(1, 3, 4))) + (0.25 + 0.25 * hole) * change;
+  return (alpha * (object + 0.25 * change) + (1 - alpha) * filled).clamp(0, 1);
 }
 
 }  // namespace conceptplan

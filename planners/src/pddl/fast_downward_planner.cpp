@@ -1,7 +1,5 @@
 #include "conceptplan/planners/pddl/fast_downward_planner.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -9,6 +7,7 @@
 
 #include "child_process.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/files/program_path.hpp"
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/planners/path_planning.hpp"
 #include "conceptplan/planners/pddl/pddl_export.hpp"
@@ -193,22 +192,6 @@ std::optional<FastDownwardSearch> searchNamed(const std::string& name) {
   return std::nullopt;
 }
 
-std::optional<std::filesystem::path> findOnPath(const std::string& program) {
-  const char* const variable = std::getenv("PATH");
-  std::string folders = variable == nullptr ? "" : variable;
-  while (!folders.empty()) {
-    const std::size_t end = std::min(folders.find(':'), folders.size());
-    const std::filesystem::path file = std::filesystem::path(folders.substr(0, end)) / program;
-    std::error_code ignored;
-    if (file.is_absolute() && std::filesystem::is_regular_file(file, ignored) &&
-        ::access(file.c_str(), X_OK) == 0) {
-      return file;
-    }
-    folders.erase(0, end + 1);
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 FastDownwardPlanner::FastDownwardPlanner(std::filesystem::path program,
@@ -250,11 +233,7 @@ PlannerEntry fastDownwardEntry(const std::filesystem::path& program) {
        "the horizon is left out, and nothing proved.",
        "infeasible is what the program says it has proved; giving up is limit or timeout. The time "
        "limit kills it; the limit of expansions is not passed on."},
-      {PlannerOption::number("legality_threshold", "0.01", 0, 1,
-                             "an action is legal where Pr[a given the symbols] is greater"),
-       PlannerOption::number(
-           "step_discount", "0.01", 0, 0.5,
-           "share by which one more action must raise a plan's probability to rank first"),
+      {PlannerOption::legalityThreshold(), PlannerOption::stepDiscount(),
        PlannerOption::choice("search", {"lmcut", "blind", "lama-first", "lama"},
                              "A* with landmark cuts, uniform-cost search, the first plan of LAMA, "
                              "or LAMA until it is done or the time is")},

@@ -92,9 +92,8 @@ class PlanFileParser {
     if (const std::optional<Action> action = actionNamed(given)) {
       step.action = *action;
     } else {
-      std::vector<std::string_view> known;
-      for (const Action each : kActions) known.push_back(name(each));
-      fault(words.front(), "unknown action " + quoted(words.front()) + didYouMean(given, known));
+      fault(words.front(),
+            "unknown action " + quoted(words.front()) + didYouMean(given, actionNames()));
     }
     for (auto word = words.begin() + 1; word != words.end(); ++word) {
       step.arguments.push_back(lowerCase(*word));

@@ -66,12 +66,8 @@ std::string missedGoal(const SymbolGraph& graph, StateId end) {
   return text;
 }
 
-}  // namespace
-
-PlanReplay replay(const SymbolGraph& graph, std::span<const PlanFileStep> steps,
-                  const Determinisation& determinisation) {
-  checkDeterminisation(determinisation);
-  const ActionSchemas schemas(graph, determinisation);
+PlanReplay replayWith(const ActionSchemas& schemas, const SymbolGraph& graph,
+                      std::span<const PlanFileStep> steps, const Determinisation& determinisation) {
   PlanReplay result;
   StateId state = graph.mostProbableStart();
   for (const PlanFileStep& step : steps) {
@@ -96,16 +92,25 @@ PlanReplay replay(const SymbolGraph& graph, std::span<const PlanFileStep> steps,
   return result;
 }
 
+}  // namespace
+
+PlanReplay replay(const SymbolGraph& graph, std::span<const PlanFileStep> steps,
+                  const Determinisation& determinisation) {
+  checkDeterminisation(determinisation);
+  return replayWith(ActionSchemas(graph, determinisation), graph, steps, determinisation);
+}
+
 PlanFile groundPlan(const SymbolGraph& graph, const ActionSequence& actions,
                     const Determinisation& determinisation) {
+  checkDeterminisation(determinisation);
+  const ActionSchemas schemas(graph, determinisation);
   PlanFile plan;
   for (const Action action : actions) plan.steps.push_back({action, {}, 0});
-  const PlanReplay replayed = replay(graph, plan.steps, determinisation);
+  const PlanReplay replayed = replayWith(schemas, graph, plan.steps, determinisation);
   if (replayed.failure) {
     throw std::invalid_argument("step " + std::to_string(replayed.failure->step + 1) + ": " +
                                 replayed.failure->reason);
   }
-  const ActionSchemas schemas(graph, determinisation);
   StateId before = graph.mostProbableStart();
   for (std::size_t i = 0; i < actions.size(); ++i) {
     plan.steps[i].arguments =

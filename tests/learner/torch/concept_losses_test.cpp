@@ -20,6 +20,16 @@ TEST(ReconstructionLoss, Eq1IsTheWeightedSquaredErrorWithDepthAndTheMasksCrossEn
   EXPECT_NEAR(reconstructionLoss({drawn, logits, depth}, planes, 3).item<double>(), expected, 1e-5);
 }
 
+TEST(AbsoluteColorLoss, IsTheMeanOfAbsoluteErrorsWithTheObjectsPixelsWeighted) {
+  auto planes = torch::zeros({1, 5, 64, 64});
+  planes.slice(1, 4, 5).slice(2, 0, 32).fill_(1);  // the upper half is the object
+  auto drawn = torch::full({1, 3, 64, 64}, 0.1);
+  drawn.slice(2, 0, 32).fill_(0.5);
+  const auto rest = torch::zeros({1, 1, 64, 64});
+  EXPECT_NEAR(absoluteColorLoss({drawn, rest, rest}, planes, 3).item<double>(), (3 * 0.5 + 0.1) / 4,
+              1e-5);
+}
+
 TEST(ConceptDisentanglingLoss, Eq2IsTheCrossEntropyOfTokenDistances) {
   const auto first = torch::zeros({1, 6, 64});
   auto second = torch::zeros({1, 6, 64});

@@ -22,9 +22,9 @@ ConceptTrainingOptions smallOptions() {
   ConceptTrainingOptions options;
   options.encoder_steps = 60;
   options.sharpening_steps = 0;
-  options.decoder_steps = 0;
+  options.drawer_steps = 0;
   options.chains = 2;
-  options.decoder_chains = 1;
+  options.drawer_chains = 1;
   options.reconstructed_pairs = 2;
   options.reconstruction_start = 0.5;
   options.augmentation = {0, 0, 0, 0, 0, 0, 0};
@@ -59,7 +59,7 @@ TEST(ConceptTrainer, TheDecoderJoinsWhenItShould) {
 TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
-  options.encoder_steps = options.sharpening_steps = options.decoder_steps = 2;
+  options.encoder_steps = options.sharpening_steps = options.drawer_steps = 2;
   ConceptTrainer whole(images, options);
   for (int i = 0; i < 6; ++i) whole.step();
 
@@ -78,18 +78,18 @@ TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
     EXPECT_EQ(tensor.values, found.at(name).values) << name;
 }
 
-TEST(ConceptTrainer, KeepsTheEncoderWhileOnlyTheDecoderLearns) {
+TEST(ConceptTrainer, KeepsAllElseWhileOnlyTheDrawerLearns) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
   options.encoder_steps = 0;
-  options.decoder_steps = 60;
+  options.drawer_steps = 60;
   ConceptTrainer trainer(images, options);
   const auto before = tensorsOf(*trainer.averaged(), "");
   for (int i = 0; i < 3; ++i) trainer.step();
   const auto after = tensorsOf(*trainer.averaged(), "");
   std::size_t changed = 0;
   for (const auto& [name, tensor] : before) {
-    const bool draws = name.starts_with("de") || name.starts_with("locator");
+    const bool draws = name.starts_with("drawer") || name.starts_with("locator");
     if (draws) {
       changed += tensor.values != after.at(name).values ? 1 : 0;
     } else {
@@ -97,6 +97,27 @@ TEST(ConceptTrainer, KeepsTheEncoderWhileOnlyTheDecoderLearns) {
     }
   }
   EXPECT_GT(changed, 5U);
+}
+
+TEST(ConceptTrainer, TheDrawerLearnsABatch) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.encoder_steps = 0;
+  options.drawer_steps = 40;
+  ConceptTrainer trainer(images, options);
+  const double before = trainer.step().reconstruction;
+  ConceptLosses losses;
+  while (trainer.stepsDone() < options.drawer_steps) {
+    losses = trainer.step();
+    EXPECT_EQ(losses.reading > 0, trainer.stepsDone() > 20) << trainer.stepsDone();
+  }
+  EXPECT_LT(losses.reconstruction, 0.5 * before);
+}
+
+TEST(ConceptTrainer, RefusesStepsOfADrawerForWholeFrames) {
+  ConceptTrainingOptions options;
+  options.encoder = EncoderKind::kFullFrame;
+  EXPECT_THROW(ConceptTrainer(twoConcepts(), options), std::invalid_argument);
 }
 
 TEST(ConceptTrainer, PutsPrototypesThatNoPictureUsesBesideTheOneUsedMost) {

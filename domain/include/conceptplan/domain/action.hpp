@@ -34,6 +34,9 @@ constexpr std::size_t index(Action action) { return static_cast<std::size_t>(act
 /// "change_color".
 std::string_view name(Action action);
 
+/// Of all actions, in the order of `kActions`.
+std::vector<std::string_view> actionNames();
+
 /// The action of that name; nothing if there is none.
 std::optional<Action> actionNamed(std::string_view name);
 

@@ -52,4 +52,7 @@ struct Task {
   std::vector<std::size_t> moved = {};
 };
 
+/// All targets with their goals, `initial.target` first.
+std::vector<FurtherTarget> targetsOf(const Task& task);
+
 }  // namespace conceptplan

@@ -31,6 +31,11 @@ struct PlannerOption {
   static PlannerOption choice(std::string name, std::vector<std::string> choices,
                               std::string summary);
 
+  /// What planners share: legality_threshold, 0.01 unless given.
+  static PlannerOption legalityThreshold();
+  /// The same: step_discount in [least, 0.5], 0.01 unless given.
+  static PlannerOption stepDiscount(double least = 0);
+
   /// "number", "integer" or "choice".
   std::string typeName() const;
   /// "[0, 1]" or "soft | hard".

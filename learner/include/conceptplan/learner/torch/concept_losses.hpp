@@ -13,6 +13,12 @@ namespace conceptplan {
 torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
                                  double foreground_weight);
 
+/// Absolute error of a drawn object's colours, weighted as above; unlike the squared one it does
+/// not favour blurred edges. planes [B, 5, E, E] as of `EncoderInput`, in 0..1 -> scalar. Source:
+/// Sec. 5.1 of P. Isola et al., CVPR 2017, arXiv 1611.07004.
+torch::Tensor absoluteColorLoss(const DecodedObject& drawn, const torch::Tensor& planes,
+                                double foreground_weight);
+
 /// Concept disentangling loss: the token of the concept that differs should differ most.
 /// first, second [B, 6, 64]; differing [B] in [0, 6) -> scalar. Source: Eq. (2).
 torch::Tensor conceptDisentanglingLoss(const torch::Tensor& first, const torch::Tensor& second,

@@ -7,25 +7,20 @@
 
 #include "conceptplan/domain/concept.hpp"
 #include "conceptplan/learner/encoder_kind.hpp"
+#include "conceptplan/learner/torch/object_drawer.hpp"
 
 namespace conceptplan {
 
 inline constexpr std::int64_t kTokenWidth = 64;
-
-/// Colour, mask and relative depth of an object, as the decoder draws them; E is 64 for a crop, 256
-/// for a whole frame.
-struct DecodedObject {
-  torch::Tensor rgb;          ///< [B, 3, E, E], 0 to 1
-  torch::Tensor mask_logits;  ///< [B, 1, E, E]
-  torch::Tensor depth;        ///< [B, 1, E, E], 0 to 1, as the depth plane of `EncoderInput`
-};
 
 /// The Substitution-based Concept Learner: encoder, concept tokenizer, concept detokenizer and
 /// decoder. Source: Sec. III-A of arXiv 2310.03325 and, for the layers of `kFullFrame`, the
 /// authors' page. Departures of `kObjectCentred`, each for what two CPU cores can learn: an
 /// object's crop and its location for the whole frame; a perceptron as detokenizer; convolution and
 /// pixel shuffle for transposed convolution. Both normalise tokens to a fixed length without
-/// parameters, draw mask and depth beside colours, and say where the crop lies.
+/// parameters, draw mask and depth beside colours, and say where the crop lies. What
+/// `kObjectCentred` shows is drawn by an `ObjectDrawer`, which learns from the finished tokens; its
+/// decoder only helps them to be learned.
 class ConceptNetworkImpl : public torch::nn::Module {
  public:
   explicit ConceptNetworkImpl(EncoderKind encoder = EncoderKind::kObjectCentred);
@@ -43,6 +38,13 @@ class ConceptNetworkImpl : public torch::nn::Module {
 
   /// z [B, c, 8, 8] -> the object's picture.
   DecodedObject decode(const torch::Tensor& z);
+
+  /// The object's picture to be shown: that of the drawer, in the box that it finds, or of a full
+  /// frame `decode(detokenize)`. tokens [B, 6, 64].
+  DecodedObject draw(const torch::Tensor& tokens);
+
+  /// Draws what `draw` shows; empty for a full frame.
+  ObjectDrawer& drawer() { return drawer_; }
 
   /// Where the object's crop lies. tokens [B, 6, 64] -> [B, 3], as `EncoderInput::location`.
   torch::Tensor locate(const torch::Tensor& tokens);
@@ -72,6 +74,7 @@ class ConceptNetworkImpl : public torch::nn::Module {
   torch::nn::Sequential decoder_{nullptr};
   torch::nn::Sequential locator_{nullptr};
   std::vector<torch::Tensor> prototypes_;  // a concept: [values, 64]
+  ObjectDrawer drawer_{nullptr};
 };
 TORCH_MODULE(ConceptNetwork);
 

@@ -19,16 +19,16 @@ struct ConceptTrainingOptions {
   EncoderKind encoder = EncoderKind::kObjectCentred;
   std::int64_t encoder_steps = 2700;    ///< first phase: tokens, and from some step on the decoder
   std::int64_t sharpening_steps = 700;  ///< second phase: tokens become certain; no decoder
-  std::int64_t decoder_steps = 1500;    ///< third phase: the decoder learns, the rest is fixed
+  std::int64_t drawer_steps = 5000;     ///< third phase: the drawer learns, the rest is fixed
   std::int64_t chains = 24;             ///< chains a step, seven images each
-  std::int64_t decoder_chains = 6;      ///< the same in the third phase
+  std::int64_t drawer_chains = 6;       ///< the same in the third phase
   double learning_rate = 1.5e-3;        ///< of AdamW, at the peak of a phase; cosine to a fiftieth
   double tokenizer_rate_share = 1;      ///< of the rate, for concept tokenizer and detokenizer
   double warm_up = 0.03;                ///< share of a phase in which the rate rises
   /// Share of the first phase after which the decoder learns too, its gradient reaching the encoder
   /// as in Eq. (3).
   double reconstruction_start = 0.5;
-  std::int64_t reconstructed_pairs = 16;  ///< pairs a step that the decoder draws
+  std::int64_t reconstructed_pairs = 16;  ///< pairs a step that are drawn
   double foreground_weight = 10;
   double disentangling_weight = 1;    ///< of Eq. (2)
   double pair_weight = 1;             ///< of the pair likelihood
@@ -37,8 +37,13 @@ struct ConceptTrainingOptions {
   double reconstruction_weight = 10;  ///< of Eq. (1) and of the direct branch
   /// Steps between two looks for prototypes that no picture uses, in the first two phases.
   std::int64_t revival_interval = 100;
-  double reading_weight = 0.3;  ///< of drawn objects read again, in the third phase
-  double averaging = 0.998;     ///< decay of the weights' moving average
+  double sharpness_weight = 2;   ///< of absolute errors of colours, in the third phase
+  double reading_weight = 0.3;   ///< of drawn objects read again, in the third phase
+  double drawer_rate_share = 2;  ///< of the rate, in the third phase
+  /// Share of the third phase after which objects are drawn in the boxes that the drawer finds, not
+  /// in their true ones, and are read again.
+  double settling = 0.5;
+  double averaging = 0.998;  ///< decay of the weights' moving average
   AugmentationOptions augmentation;
   std::uint64_t seed = 0;
 };
@@ -52,6 +57,7 @@ struct ConceptLosses {
   double reconstruction = 0;  ///< Eq. (1)
   double direct = 0;          ///< direct branch of Eq. (3)
   double location = 0;
+  double sharpness = 0;
   double reading = 0;  ///< mean squared error of tokens, drawn and read again
 };
 
@@ -61,6 +67,8 @@ struct ConceptLosses {
 class ConceptTrainer {
  public:
   /// Keeps a reference to `images`.
+  /// @throws std::invalid_argument if there are steps for the drawer, which whole frames do not
+  /// have.
   ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options);
 
   /// Begins from those weights in place of random ones.
@@ -70,7 +78,7 @@ class ConceptTrainer {
   ConceptLosses step();
   std::int64_t stepsDone() const { return steps_done_; }
   std::int64_t stepsInAll() const {
-    return options_.encoder_steps + options_.sharpening_steps + options_.decoder_steps;
+    return options_.encoder_steps + options_.sharpening_steps + options_.drawer_steps;
   }
 
   /// The network with the moving average of its weights; shares nothing with the one in training.
@@ -84,12 +92,12 @@ class ConceptTrainer {
  private:
   /// `progress` is the point of a phase, in 0..1.
   ConceptLosses tokenStep(std::mt19937_64& generator, double progress, bool sharpening);
-  ConceptLosses decoderStep(std::mt19937_64& generator, double progress);
+  ConceptLosses drawerStep(std::mt19937_64& generator, double progress);
   /// Gives each prototype that is hardly used a place beside the one that is used most: there, two
   /// values share one, and a softmax passes hardly a gradient to a prototype out of reach.
   /// Source: the random restarts of Sec. 3.1 of Jukebox, arXiv 2005.00341.
   void revivePrototypes(std::mt19937_64& generator);
-  void descend(const torch::Tensor& loss, double progress);
+  void descend(const torch::Tensor& loss, double progress, double rate_share);
 
   const ConceptImages& images_;
   ConceptTrainingOptions options_;

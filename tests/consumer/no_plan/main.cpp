@@ -1,0 +1,29 @@
+// Tells why there is no plan. The argument is a symbolic model.
+#include <conceptplan/planners/belief_planner.hpp>
+#include <iostream>
+
+using namespace conceptplan;
+
+void explain(const PlanResult& result) {
+  std::cout << name(result.status) << ": " << result.reason << '\n';
+  for (const Rejection& step : result.rejections) {
+    std::cout << "  " << name(step.action) << ": ";
+    if (step.cause == Invalidity::kNone) std::cout << "Pr[action | symbols] is " << step.value;
+    if (step.cause != Invalidity::kNone) std::cout << name(step.cause);
+    if (step.object) std::cout << " with object " << *step.object;
+    std::cout << '\n';
+  }
+}
+
+int main(int argc, char** argv) try {
+  const SymbolicModel model = readSymbolicModel(argc == 2 ? argv[1] : "");
+  const auto at = [&](int x, int y) {
+    return certain({SymbolId{0}, SymbolId{x}, SymbolId{y}}, model.cardinality());
+  };
+  // Object 0 at (0, 0) shall go to (0, 2); the others shut it in.
+  const SymbolicProblem problem{{{}, {at(0, 0), at(0, 1), at(1, 0)}, 0}, at(0, 2)};
+  explain(BeliefPlanner().solve(compile(model, problem, GridValidity()), {}));
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+}

@@ -1,0 +1,64 @@
+#include "conceptplan/learner/torch/frame_synthesizer.hpp"
+
+#include <gtest/gtest.h>
+
+namespace conceptplan {
+namespace {
+
+constexpr std::int64_t kEdge = FrameSynthesizerImpl::kWindow;
+
+/// A network whose weights are all 0 changes nothing but what it is built to.
+FrameSynthesizer untrained() {
+  FrameSynthesizer synthesizer;
+  const torch::NoGradGuard no_gradient;
+  for (auto& parameter : synthesizer->parameters()) parameter.zero_();
+  return synthesizer;
+}
+
+struct Window {
+  torch::Tensor floor = torch::zeros({1, 3, kEdge, kEdge});
+  torch::Tensor hole = torch::zeros({1, 1, kEdge, kEdge});
+  torch::Tensor object = torch::zeros({1, 3, kEdge, kEdge});
+  torch::Tensor alpha = torch::zeros({1, 1, kEdge, kEdge});
+
+  torch::Tensor drawn() const {
+    const torch::NoGradGuard no_gradient;
+    return untrained()->forward(floor * (1 - hole), hole, object, alpha);
+  }
+};
+
+TEST(FrameSynthesizer, ContinuesAFloorOfOneColorIntoTheHole) {
+  Window window;
+  window.floor.fill_(0.6);
+  window.hole.slice(2, 30, 62).slice(3, 25, 70).fill_(1);
+  EXPECT_LT((window.drawn() - window.floor).abs().max().item<double>(), 1e-5);
+}
+
+TEST(FrameSynthesizer, ContinuesASlopeOfColorsIntoTheHole) {
+  Window window;
+  window.floor = torch::linspace(0, 1, kEdge).expand({1, 3, kEdge, kEdge}).clone();
+  window.hole.slice(2, 30, 62).slice(3, 25, 70).fill_(1);
+  const auto error = (window.drawn() - window.floor).abs();
+  EXPECT_LT(error.max().item<double>(), 0.2);
+  EXPECT_EQ(torch::where(window.hole == 0, error, torch::zeros({})).max().item<double>(), 0);
+}
+
+TEST(FrameSynthesizer, PutsTheObjectOnTheFloor) {
+  Window window;
+  window.floor.fill_(0.6);
+  window.object.fill_(0.2);
+  window.alpha.slice(2, 0, 40).fill_(1);
+  const auto drawn = window.drawn();
+  EXPECT_NEAR(drawn[0][0][10][10].item<double>(), 0.2, 1e-6);
+  EXPECT_NEAR(drawn[0][0][80][10].item<double>(), 0.6, 1e-6);
+}
+
+TEST(FrameSynthesizer, DrawsAWindowThatIsAllHole) {
+  Window window;
+  window.hole.fill_(1);
+  const auto drawn = window.drawn();
+  EXPECT_TRUE(torch::isfinite(drawn).all().item<bool>());
+}
+
+}  // namespace
+}  // namespace conceptplan
