@@ -14,6 +14,8 @@ TEST(Action, NamesAndActionsAreOneToOne) {
     names.insert(name(action));
   }
   EXPECT_EQ(names.size(), kNumActions);
+  EXPECT_EQ(actionNames().size(), kNumActions);
+  EXPECT_EQ(actionNames().at(index(Action::kMoveLeft)), name(Action::kMoveLeft));
 }
 
 TEST(Action, NamesAreThoseOfResultFiles) {

@@ -16,6 +16,18 @@ TEST(Task, OptionsAndTheirNamesAreOneToOne) {
     EXPECT_EQ(renderDomainNamed(name(domain)), domain);
 }
 
+TEST(Task, ListsItsTargetsTheFirstOneFirst) {
+  Task task;
+  task.initial.target = 2;
+  task.goal.size = 3;
+  task.further = {{0, {}}};
+  const std::vector<FurtherTarget> targets = targetsOf(task);
+  ASSERT_EQ(targets.size(), 2U);
+  EXPECT_EQ(targets[0].object, 2U);
+  EXPECT_EQ(targets[0].goal, task.goal);
+  EXPECT_EQ(targets[1].object, 0U);
+}
+
 TEST(Task, NamesAreThoseOfTheCommandLine) {
   EXPECT_EQ(splitNamed("validation"), Split::kValidation);
   EXPECT_EQ(objectSetNamed("unseen"), ObjectSet::kUnseen);

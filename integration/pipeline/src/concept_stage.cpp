@@ -30,6 +30,7 @@ bool trainConcepts(const Run& run, ModelManifest&) {
                                   {"direct", losses.direct},
                                   {"location", losses.location},
                                   {"sharpness", losses.sharpness},
+                                  {"box", losses.box},
                                   {"reading", losses.reading}}
         .dump();
   };

@@ -149,7 +149,9 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
   const TorchThreads threads(options.jobs);
 
   ModelManifest manifest;
-  if (std::filesystem::exists(options.model / "manifest.json"))
+  const bool anew =
+      !options.resume && !stages.empty() && stages.front() == TrainingStage::kLearnConcepts;
+  if (!anew && std::filesystem::exists(options.model / "manifest.json"))
     manifest = readModelManifest(options.model);
   for (const TrainingStage stage : stages) {
     if (options.resume && manifest.has(stage)) continue;

@@ -151,7 +151,8 @@ ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainin
       optimizer_(parameterGroups(*network_),
                  torch::optim::AdamWOptions(options.learning_rate).weight_decay(1e-4)) {
   if (options.drawer_steps > 0 && options.encoder == EncoderKind::kFullFrame)
-    throw std::invalid_argument("ConceptTrainer: whole frames have no drawer");
+    throw std::invalid_argument("ConceptTrainer: whole frames have no drawer to take " +
+                                std::to_string(options.drawer_steps) + " steps");
   copyParameters(*average_, *network_);
 }
 
@@ -265,10 +266,11 @@ ConceptLosses ConceptTrainer::drawerStep(std::mt19937_64& generator, double prog
     const DecodedObject drawn =
         network_->drawer()->forward(pairs.tokens, settled ? boxes : true_boxes);
     const auto sharpness = absoluteColorLoss(drawn, pairs.truth, options_.foreground_weight);
+    const auto misplacement = torch::smooth_l1_loss(boxes, true_boxes, 1, 0.05);
     losses.sharpness = sharpness.item<double>();
+    losses.box = misplacement.item<double>();
     total = drawingLoss(network_, pairs, drawn, options_, losses) +
-            options_.sharpness_weight * sharpness +
-            torch::smooth_l1_loss(boxes, true_boxes, 1, 0.05);
+            options_.sharpness_weight * sharpness + misplacement;
     if (settled) {
       const auto reading = readingLoss(network_, drawn, pairs.location, pairs.tokens);
       losses.reading = reading.item<double>();

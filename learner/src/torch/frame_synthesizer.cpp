@@ -17,7 +17,10 @@ nn::Conv2d convolution(std::int64_t in, std::int64_t out, std::int64_t kernel, s
 /// is known: the pull-push algorithm of S. J. Gortler et al., 1996, doi:10.1145/237170.237200. seen
 /// [B, 3, E, E], black in the hole; known [B, 1, E, E] in 0..1 -> [B, 3, E, E].
 torch::Tensor continued(const torch::Tensor& seen, const torch::Tensor& known) {
-  if (seen.size(-1) % 2 != 0) return seen / known.clamp_min(1e-6);
+  if (seen.size(-1) % 2 != 0) {
+    const auto mean = seen.sum({2, 3}, true) / known.sum({2, 3}, true).clamp_min(1e-6);
+    return torch::where(known > 0, seen / known.clamp_min(1e-6), mean);
+  }
   const auto coarse = continued(torch::avg_pool2d(seen, 2), torch::avg_pool2d(known, 2));
   return seen + (1 - known) * torch::upsample_bilinear2d(coarse, {seen.size(-2), seen.size(-1)},
                                                          /*align_corners=*/false);

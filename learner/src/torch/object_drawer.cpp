@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "conceptplan/learner/torch/token_tensors.hpp"
+#include "conceptplan/learner/torch/concept_network.hpp"
 #include "network_blocks.hpp"
 
 namespace conceptplan {

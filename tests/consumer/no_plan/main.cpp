@@ -1,4 +1,5 @@
 // Tells why there is no plan. The argument is a symbolic model.
+#include <algorithm>
 #include <conceptplan/planners/belief_planner.hpp>
 #include <iostream>
 
@@ -17,8 +18,14 @@ void explain(const PlanResult& result) {
 
 int main(int argc, char** argv) try {
   const SymbolicModel model = readSymbolicModel(argc == 2 ? argv[1] : "");
+  // Which symbol stands for a column or row is a matter of the model.
+  const auto symbol = [](const std::vector<int>& values, int value) {
+    return SymbolId(std::ranges::find(values, value) - values.begin());
+  };
   const auto at = [&](int x, int y) {
-    return certain({SymbolId{0}, SymbolId{x}, SymbolId{y}}, model.cardinality());
+    const SymbolGrounding& grounding = model.grounding;
+    const Symbols symbols{SymbolId{0}, symbol(grounding.columns, x), symbol(grounding.rows, y)};
+    return certain(symbols, model.cardinality());
   };
   // Object 0 at (0, 0) shall go to (0, 2); the others shut it in.
   const SymbolicProblem problem{{{}, {at(0, 0), at(0, 1), at(1, 0)}, 0}, at(0, 2)};

@@ -1,6 +1,6 @@
 #include "conceptplan/learner/torch/concept_trainer.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "conceptplan/learner/torch/encoder_batch.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
@@ -66,12 +66,12 @@ TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   std::string checkpoint;
   {
     ConceptTrainer first(images, options);
-    for (int i = 0; i < 4; ++i) first.step();
+    for (int i = 0; i < 5; ++i) first.step();
     checkpoint = first.checkpoint();
   }
   ConceptTrainer second(images, options);
   second.restore(checkpoint);
-  EXPECT_EQ(second.stepsDone(), 4);
+  EXPECT_EQ(second.stepsDone(), 5);
   while (second.stepsDone() < 6) second.step();
   const auto expected = tensorsOf(*whole.averaged(), ""), found = tensorsOf(*second.averaged(), "");
   for (const auto& [name, tensor] : expected)
@@ -117,7 +117,9 @@ TEST(ConceptTrainer, TheDrawerLearnsABatch) {
 TEST(ConceptTrainer, RefusesStepsOfADrawerForWholeFrames) {
   ConceptTrainingOptions options;
   options.encoder = EncoderKind::kFullFrame;
-  EXPECT_THROW(ConceptTrainer(twoConcepts(), options), std::invalid_argument);
+  options.drawer_steps = 7;
+  EXPECT_THAT([&] { ConceptTrainer(twoConcepts(), options); },
+              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("take 7 steps")));
 }
 
 TEST(ConceptTrainer, PutsPrototypesThatNoPictureUsesBesideTheOneUsedMost) {

@@ -13,7 +13,7 @@
 
 namespace conceptplan {
 
-/// An object as the decoder draws it.
+/// An object as it is drawn from tokens.
 struct DrawnObject {
   static constexpr int kEdge = EncoderInput::kEdge;
   std::vector<float> rgb;           ///< [3, 64, 64], 0 to 1

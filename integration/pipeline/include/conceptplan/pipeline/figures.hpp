@@ -24,8 +24,8 @@ struct FigureOptions {
 };
 
 /// What a model has learned, drawn from pictures that training did not see:
-/// - `substitution-grid`: objects with each of their tokens replaced by another object's, as the
-///   decoder draws them, and where. Source: Fig. "concept exp" of arXiv 2310.03325.
+/// - `substitution-grid`: objects with each of their tokens replaced by another object's, as they
+///   are drawn, and where. Source: Fig. "concept exp" of arXiv 2310.03325.
 /// - `token-changes`: mean l2 norm of the change of each token under each action that is legal, by
 ///   the causal transition T. Source: Fig. "action concept eff" (a).
 /// - `displacements`: how T moves objects by each action, in cells: the position tokens are read by

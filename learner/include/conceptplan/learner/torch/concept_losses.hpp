@@ -15,7 +15,7 @@ torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor
 
 /// Absolute error of a drawn object's colours, weighted as above; unlike the squared one it does
 /// not favour blurred edges. planes [B, 5, E, E] as of `EncoderInput`, in 0..1 -> scalar. Source:
-/// Sec. 5.1 of P. Isola et al., CVPR 2017, arXiv 1611.07004.
+/// Sec. 3.1 of P. Isola et al., CVPR 2017, arXiv 1611.07004.
 torch::Tensor absoluteColorLoss(const DecodedObject& drawn, const torch::Tensor& planes,
                                 double foreground_weight);
 

@@ -19,7 +19,7 @@ struct ConceptTrainingOptions {
   EncoderKind encoder = EncoderKind::kObjectCentred;
   std::int64_t encoder_steps = 2700;    ///< first phase: tokens, and from some step on the decoder
   std::int64_t sharpening_steps = 700;  ///< second phase: tokens become certain; no decoder
-  std::int64_t drawer_steps = 5000;     ///< third phase: the drawer learns, the rest is fixed
+  std::int64_t drawer_steps = 5000;     ///< third phase: the drawer learns; 0 leaves it untrained
   std::int64_t chains = 24;             ///< chains a step, seven images each
   std::int64_t drawer_chains = 6;       ///< the same in the third phase
   double learning_rate = 1.5e-3;        ///< of AdamW, at the peak of a phase; cosine to a fiftieth
@@ -56,9 +56,10 @@ struct ConceptLosses {
   double confidence = 0;
   double reconstruction = 0;  ///< Eq. (1)
   double direct = 0;          ///< direct branch of Eq. (3)
-  double location = 0;
-  double sharpness = 0;
-  double reading = 0;  ///< mean squared error of tokens, drawn and read again
+  double location = 0;        ///< smooth absolute error of where the crop lies
+  double sharpness = 0;       ///< absolute error of the colours
+  double box = 0;             ///< smooth absolute error of the box in the crop, which spans -1 to 1
+  double reading = 0;         ///< mean squared error of tokens, drawn and read again
 };
 
 /// Trains the concept network on chains of pairs: Eq. (3) of arXiv 2310.03325, with the pair
@@ -75,6 +76,7 @@ class ConceptTrainer {
   /// @param path stands in the faults. @throws InputError if tensors are missing or misshaped.
   void startFrom(const NamedTensors& tensors, const std::filesystem::path& path);
 
+  /// @pre not all steps are done
   ConceptLosses step();
   std::int64_t stepsDone() const { return steps_done_; }
   std::int64_t stepsInAll() const {

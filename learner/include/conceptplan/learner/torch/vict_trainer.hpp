@@ -17,7 +17,7 @@ namespace conceptplan {
 struct VictTrainingOptions {
   std::int64_t transition_steps = 3000;
   std::int64_t transition_batch = 256;
-  std::int64_t synthesis_steps = 4000;
+  std::int64_t synthesis_steps = 3000;
   std::int64_t synthesis_batch = 12;
   double learning_rate = 1e-3;  ///< of Adam, at its peak; cosine decay to a fiftieth
   double averaging = 0.998;     ///< decay of the synthesizer's moving average
