@@ -35,28 +35,34 @@ void encodeObjects(benchmark::State& state) {
 }
 BENCHMARK(encodeObjects)->Arg(1)->Arg(64)->Name("objects encoded")->UseRealTime();
 
-/// One step of a plan: causal transition, object, whole frame of 384 x 256.
+/// One step of a plan, causal transition, object and frame, of width x height.
 void drawFrames(benchmark::State& state) {
   const ConceptLearner network = learner();
   NamedTensors tensors = tensorsOf(*CausalTransition(), "transition.");
   tensors.merge(tensorsOf(*FrameSynthesizer(), "synthesizer."));
   const VisualTransition transition(tensors, "benchmark");
-  RgbdImage image{kFrameWidth, kFrameHeight, {}, {}, {}};
-  image.rgb.assign(3 * kFrameWidth * kFrameHeight, 128);
-  image.depth_m.assign(kFrameWidth * kFrameHeight, 2.0F);
-  image.mask.assign(kFrameWidth * kFrameHeight, 0);
-  for (int y = 100; y < 140; ++y)
-    for (int x = 100; x < 140; ++x) image.mask[static_cast<std::size_t>(y * kFrameWidth + x)] = 1;
+  const int width = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
+  const auto pixels = static_cast<std::size_t>(width * height);
+  RgbdImage image{width, height, {}, {}, {}};
+  image.rgb.assign(3 * pixels, 128);
+  image.depth_m.assign(pixels, 2.0F);
+  image.mask.assign(pixels, 0);
+  for (int y = 70; y < 110; ++y)
+    for (int x = 70; x < 110; ++x) image.mask[static_cast<std::size_t>(y * width + x)] = 1;
   const Tokens tokens = network.encode(inputs(1)).front();
   for (auto _ : state) {
     const Tokens next = transition.apply(tokens, Tokens::Zero(), Action::kMoveRight);
     DrawnObject object = network.draw({&next, 1}).front();
-    object.location = {0.1F, 0.1F, 0};
+    object.location = {-0.7F, -0.5F, 0};  // pixel (58, 64)
     benchmark::DoNotOptimize(transition.synthesize(image, 1, object));
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK(drawFrames)->Name("frames drawn")->UseRealTime();
+BENCHMARK(drawFrames)
+    ->Args({128, 128})
+    ->Args({kFrameWidth, kFrameHeight})
+    ->Name("frames drawn")
+    ->UseRealTime();
 
 /// The products of the convolutions of the encoder as matrices, [rows, inner] x [inner, columns].
 struct Product {
