@@ -8,7 +8,7 @@
 namespace conceptplan {
 namespace {
 constexpr int kEdge = FrameWindow::kEdge;
-constexpr int kHoleMargin_px = 2;
+constexpr int kHoleMargin_px = 5;
 }  // namespace
 
 WindowCorner windowAround(double x, double y, int width, int height) {
