@@ -38,7 +38,7 @@ void addInspectFiguresCommand(CommandLine& line, CLI::App& group) {
       group, "figures",
       "Draws what a model has learned: substituted tokens, what actions change, where they move, "
       "clusters",
-      "conceptplan inspect figures default --data data/concepts-test --out docs/images",
+      "conceptplan inspect figures default --data data/concepts-validation --out docs/images",
       [options](Session& session) { return writeFigures(*options, session); });
   command.add_option("MODEL", options->model, "A shipped model's name, or a folder")->required();
   command

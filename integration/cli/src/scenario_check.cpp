@@ -8,6 +8,9 @@
 namespace conceptplan::cli {
 namespace {
 
+/// Where a planner stands that is not the scenario's own.
+constexpr const char* kPlannerOption = "--planner";
+
 /// Does the work; its faults become faults of the scenario, at their keys.
 template <typename Work>
 auto placed(const Scenario& scenario, const Work& work) {
@@ -20,10 +23,6 @@ auto placed(const Scenario& scenario, const Work& work) {
     }
     throw InputError(std::move(faults));
   }
-}
-
-OptionTexts optionsFor(const Scenario& scenario, const std::string& planner) {
-  return planner == scenario.planner.name ? scenario.planner.options : OptionTexts{};
 }
 
 std::vector<Fault> openFaults(const Scenario& scenario, const PlannerRegistry& registry) {
@@ -72,15 +71,17 @@ std::filesystem::path findScenario(const std::string& path) {
 
 std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string& name,
                                      const PlannerRegistry& registry) {
+  if (name != scenario.planner.name) return registry.make(name, {}, kPlannerOption);
   return placed(scenario, [&] {
-    return registry.make(name, optionsFor(scenario, name), scenario.file.string());
+    return registry.make(name, scenario.planner.options, scenario.file.string());
   });
 }
 
 JointPlanner makeJointPlanner(const Scenario& scenario, const std::string& name,
                               const PlannerRegistry& registry) {
+  if (name != scenario.planner.name) return registry.makeJoint(name, {}, kPlannerOption);
   return placed(scenario, [&] {
-    return registry.makeJoint(name, optionsFor(scenario, name), scenario.file.string());
+    return registry.makeJoint(name, scenario.planner.options, scenario.file.string());
   });
 }
 

@@ -18,7 +18,8 @@ Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerReg
 std::filesystem::path findScenario(const std::string& path);
 
 /// The planner of that name, with the scenario's options if the scenario names the same one.
-/// @throws InputError with the lines of the keys.
+/// @throws InputError with the lines of the keys, or where the command asked for another planner,
+/// with its option.
 std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string& name,
                                      const PlannerRegistry& registry);
 

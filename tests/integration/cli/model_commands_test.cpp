@@ -199,6 +199,14 @@ TEST_F(ModelCommands, InfeasibleExits1AndInvalid2) {
   EXPECT_EQ(results[1]["status"], "invalid_input");
 }
 
+TEST_F(ModelCommands, AWrongPlannerOfTheCommandIsNotBlamedOnTheScenario) {
+  const CommandResult result =
+      runCommand({"plan", scenarios() + "/level3-0001", "--planner", "beleif"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.error, HasSubstr("--planner: planner.name: unknown planner \"beleif\""));
+  EXPECT_THAT(result.error, testing::Not(HasSubstr("scenario.yaml")));
+}
+
 TEST_F(ModelCommands, WrongCallsOfSolveAreNamed) {
   const CommandResult planner =
       runCommand({"solve", scenarios(), "--planners", "beleif,bfs,astarr"});
