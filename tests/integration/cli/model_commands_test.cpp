@@ -204,7 +204,7 @@ TEST_F(ModelCommands, AWrongPlannerOfTheCommandIsNotBlamedOnTheScenario) {
       runCommand({"plan", scenarios() + "/level3-0001", "--planner", "beleif"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.error, HasSubstr("--planner: planner.name: unknown planner \"beleif\""));
-  EXPECT_THAT(result.error, testing::Not(HasSubstr("scenario.yaml")));
+  EXPECT_THAT(result.error, ::testing::Not(HasSubstr("scenario.yaml")));
 }
 
 TEST_F(ModelCommands, WrongCallsOfSolveAreNamed) {
