@@ -37,16 +37,17 @@ TEST(FrameWindow, CutsBackgroundHoleAndObject) {
   EXPECT_EQ(at(7, 224, 159), 0.0F);
 }
 
-TEST(FrameWindow, HoleGrowsButSparesOtherObjects) {
-  std::vector<std::uint8_t> mask(20 * 10, 0);
-  mask[5 * 20 + 8] = 1;
-  mask[5 * 20 + 9] = 2;
-  const auto hole = holeOf(mask, 20, 10, 1);
+TEST(FrameWindow, HoleGrowsByFivePixelsButSparesOtherObjects) {
+  std::vector<std::uint8_t> mask(20 * 20, 0);
+  mask[10 * 20 + 8] = 1;
+  mask[10 * 20 + 9] = 2;
+  const auto hole = holeOf(mask, 20, 20, 1);
+  EXPECT_EQ(hole[10 * 20 + 8], 1);
+  EXPECT_EQ(hole[10 * 20 + 3], 1);
   EXPECT_EQ(hole[5 * 20 + 8], 1);
-  EXPECT_EQ(hole[5 * 20 + 6], 1);
-  EXPECT_EQ(hole[3 * 20 + 8], 1);
-  EXPECT_EQ(hole[5 * 20 + 9], 0);
-  EXPECT_EQ(hole[5 * 20 + 5], 0);
+  EXPECT_EQ(hole[10 * 20 + 9], 0);
+  EXPECT_EQ(hole[10 * 20 + 2], 0);
+  EXPECT_EQ(hole[4 * 20 + 8], 0);
 }
 
 }  // namespace
