@@ -14,8 +14,6 @@ constexpr std::int64_t kLatentEdge = 8;
 constexpr std::int64_t kCells = kLatentEdge * kLatentEdge;
 constexpr std::int64_t kConceptCount = static_cast<std::int64_t>(kNumConcepts);
 constexpr double kPrototypeScale = 12.0;
-/// Red, green, blue, mask, depth.
-constexpr std::int64_t kDrawnChannels = 5;
 
 std::int64_t latentChannels(EncoderKind encoder) {
   return encoder == EncoderKind::kObjectCentred ? 96 : 64;
@@ -143,9 +141,7 @@ torch::Tensor ConceptNetworkImpl::detokenize(const torch::Tensor& tokens) {
 }
 
 DecodedObject ConceptNetworkImpl::decode(const torch::Tensor& z) {
-  const auto drawn = decoder_->forward(z);
-  return {torch::sigmoid(drawn.slice(1, 0, 3)), drawn.slice(1, 3, 4),
-          torch::sigmoid(drawn.slice(1, 4, 5))};
+  return decodedObject(decoder_->forward(z));
 }
 
 DecodedObject ConceptNetworkImpl::draw(const torch::Tensor& tokens) {

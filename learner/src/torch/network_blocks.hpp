@@ -25,6 +25,15 @@ inline nn::GroupNorm normalization(std::int64_t channels) {
   return nn::GroupNorm(nn::GroupNormOptions(8, channels));
 }
 
+/// Red, green, blue, mask, depth.
+inline constexpr std::int64_t kDrawnChannels = 5;
+
+/// What a network draws, [B, 5, E, E], as an object.
+inline DecodedObject decodedObject(const torch::Tensor& drawn) {
+  return {torch::sigmoid(drawn.slice(1, 0, 3)), drawn.slice(1, 3, 4),
+          torch::sigmoid(drawn.slice(1, 4, 5))};
+}
+
 /// x + conv(relu(norm(conv(relu(norm(x)))))). [B, C, H, W] -> [B, C, H, W].
 class ResidualBlockImpl : public nn::Module {
  public:

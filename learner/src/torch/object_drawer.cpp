@@ -14,8 +14,6 @@ namespace functional = torch::nn::functional;
 constexpr std::int64_t kPictureEdge = 48;
 constexpr std::int64_t kPictures = 160;
 constexpr std::int64_t kCropEdge = 64;
-/// Red, green, blue, mask, depth.
-constexpr std::int64_t kDrawnChannels = 5;
 /// A picture reaches beyond the object's box by this factor, so that its border is background.
 constexpr double kBoxMargin = 1.15;
 constexpr double kLeastHalfExtent = 0.02;
@@ -76,9 +74,7 @@ DecodedObject ObjectDrawerImpl::forward(const torch::Tensor& tokens, const torch
                          .view({tokens.size(0), kDrawnChannels, kPictureEdge, kPictureEdge});
   const auto refined =
       mixed + refinement_->forward(mixed.contiguous(torch::MemoryFormat::ChannelsLast));
-  const auto drawn = inBoxes(refined, boxes);
-  return {torch::sigmoid(drawn.slice(1, 0, 3)), drawn.slice(1, 3, 4),
-          torch::sigmoid(drawn.slice(1, 4, 5))};
+  return decodedObject(inBoxes(refined, boxes));
 }
 
 torch::Tensor ObjectDrawerImpl::locateInCrop(const torch::Tensor& tokens) {

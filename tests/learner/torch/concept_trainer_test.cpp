@@ -78,12 +78,17 @@ TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
     EXPECT_EQ(tensor.values, found.at(name).values) << name;
 }
 
-TEST(ConceptTrainer, KeepsAllElseWhileOnlyTheDrawerLearns) {
-  const ConceptImages images = twoConcepts();
+/// The third phase alone.
+ConceptTrainingOptions drawerOptions(std::int64_t steps) {
   ConceptTrainingOptions options = smallOptions();
   options.encoder_steps = 0;
-  options.drawer_steps = 60;
-  ConceptTrainer trainer(images, options);
+  options.drawer_steps = steps;
+  return options;
+}
+
+TEST(ConceptTrainer, KeepsAllElseWhileOnlyTheDrawerLearns) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainer trainer(images, drawerOptions(60));
   const auto before = tensorsOf(*trainer.averaged(), "");
   for (int i = 0; i < 3; ++i) trainer.step();
   const auto after = tensorsOf(*trainer.averaged(), "");
@@ -101,13 +106,10 @@ TEST(ConceptTrainer, KeepsAllElseWhileOnlyTheDrawerLearns) {
 
 TEST(ConceptTrainer, TheDrawerLearnsABatch) {
   const ConceptImages images = twoConcepts();
-  ConceptTrainingOptions options = smallOptions();
-  options.encoder_steps = 0;
-  options.drawer_steps = 40;
-  ConceptTrainer trainer(images, options);
+  ConceptTrainer trainer(images, drawerOptions(40));
   const double before = trainer.step().reconstruction;
   ConceptLosses losses;
-  while (trainer.stepsDone() < options.drawer_steps) {
+  while (trainer.stepsDone() < trainer.stepsInAll()) {
     losses = trainer.step();
     EXPECT_EQ(losses.reading > 0, trainer.stepsDone() > 20) << trainer.stepsDone();
   }
