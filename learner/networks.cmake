@@ -8,6 +8,7 @@ conceptplan_library(learner
     include/conceptplan/learner/encoder_input.hpp
     include/conceptplan/learner/encoder_kind.hpp
     include/conceptplan/learner/frame_composition.hpp
+    include/conceptplan/learner/background.hpp
     include/conceptplan/learner/frame_window.hpp
     include/conceptplan/learner/kmeans.hpp
     include/conceptplan/learner/learned_symbols.hpp
@@ -35,6 +36,7 @@ conceptplan_library(learner
     src/encoder_input.cpp
     src/encoder_kind.cpp
     src/frame_composition.cpp
+    src/background.cpp
     src/frame_window.cpp
     src/kmeans.cpp
     src/learned_symbols.cpp

@@ -8,7 +8,6 @@
 namespace conceptplan {
 namespace {
 constexpr int kEdge = FrameWindow::kEdge;
-constexpr int kHoleMargin_px = 5;
 }  // namespace
 
 WindowCorner windowAround(double x, double y, int width, int height) {
@@ -35,11 +34,10 @@ FrameWindow cutWindow(std::span<const std::uint8_t> rgb, std::span<const std::ui
     for (int x = 0; x < kEdge; ++x) {
       const int pixel = y * kEdge + x;
       const auto source = static_cast<std::size_t>((corner.top + y) * width + corner.left + x);
-      const bool missing = hole[source] != 0;
       for (int channel = 0; channel < 3; ++channel)
         window.planes[channel * kPixels + pixel] =
-            missing ? 0.0F : static_cast<float>(rgb[3 * source + channel]) / 255.0F;
-      window.planes[3 * kPixels + pixel] = missing ? 1.0F : 0.0F;
+            static_cast<float>(rgb[3 * source + channel]) / 255.0F;
+      window.planes[3 * kPixels + pixel] = hole[source] != 0 ? 1.0F : 0.0F;
       const int crop_x = corner.left + x - crop.left, crop_y = corner.top + y - crop.top;
       if (crop_x < 0 || crop_x >= kCrop || crop_y < 0 || crop_y >= kCrop) continue;
       const int drawn = crop_y * kCrop + crop_x;
@@ -49,23 +47,6 @@ FrameWindow cutWindow(std::span<const std::uint8_t> rgb, std::span<const std::ui
       window.planes[7 * kPixels + pixel] = object.alpha[drawn];
     }
   return window;
-}
-
-std::vector<std::uint8_t> holeOf(std::span<const std::uint8_t> mask, int width, int height,
-                                 std::uint8_t instance) {
-  std::vector<std::uint8_t> hole(mask.size(), 0);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      if (mask[static_cast<std::size_t>(y * width + x)] != instance) continue;
-      for (int v = std::max(0, y - kHoleMargin_px); v <= std::min(height - 1, y + kHoleMargin_px);
-           ++v)
-        for (int u = std::max(0, x - kHoleMargin_px); u <= std::min(width - 1, x + kHoleMargin_px);
-             ++u) {
-          const auto pixel = static_cast<std::size_t>(v * width + u);
-          if (mask[pixel] == 0 || mask[pixel] == instance) hole[pixel] = 1;
-        }
-    }
-  return hole;
 }
 
 }  // namespace conceptplan

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/learner/background.hpp"
 #include "conceptplan/learner/effect_context.hpp"
 #include "observed_frame.hpp"
 #include "torch_threads.hpp"
@@ -138,12 +140,14 @@ std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& pe
     predicted.push_back(tokens[object]);
   }
   // As long as one object moves, it is drawn into the same picture.
-  RgbdImage before = initial;
+  std::optional<Background> background;
   std::vector<RgbdImage> frames;
   for (const DrawnObject& drawn : parts_->learner.draw(predicted)) {
     const std::size_t step = frames.size();
-    if (step > 0 && moved[step] != moved[step - 1]) before = frames.back();
-    frames.push_back(parts_->transition.synthesize(before, percept.instances[moved[step]], drawn));
+    const std::uint8_t instance = percept.instances[moved[step]];
+    if (step == 0 || moved[step] != moved[step - 1])
+      background = backgroundWithout(step == 0 ? initial : frames.back(), instance);
+    frames.push_back(parts_->transition.synthesize(*background, instance, drawn));
   }
   return frames;
 }

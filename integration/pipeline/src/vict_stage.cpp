@@ -2,9 +2,9 @@
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/model/symbolic_model.hpp"
+#include "conceptplan/learner/background.hpp"
 #include "conceptplan/learner/effect_context.hpp"
 #include "conceptplan/learner/frame_composition.hpp"
-#include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/learned_symbols.hpp"
 #include "observed_frame.hpp"
 #include "step_loop.hpp"
@@ -32,9 +32,11 @@ SequenceFrame sequenceFrame(const RgbdImage& image, const ObservedFrame& observe
                             std::size_t target) {
   const Eigen::Vector2d centre = pixelOf(observed.inputs[target].location);
   const std::uint8_t instance = observed.instances[target];
+  Background background = backgroundWithout(image, instance);
   return {image.rgb,
-          holeOf(image.mask, image.width, image.height, instance),
-          othersDepth_mm(image, instance),
+          std::move(background.image.rgb),
+          std::move(background.hole),
+          objectsDepth_mm(background.image),
           centre.x(),
           centre.y(),
           observed.tokens[target]};

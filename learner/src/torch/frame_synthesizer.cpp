@@ -13,17 +13,12 @@ nn::Conv2d convolution(std::int64_t in, std::int64_t out, std::int64_t kernel, s
                         .padding(dilation * (kernel - 1) / 2));
 }
 
-/// Colours without the hole, continued into it by averages over ever larger neighbourhoods of what
-/// is known: the pull-push algorithm of S. J. Gortler et al., 1996, doi:10.1145/237170.237200. seen
-/// [B, 3, E, E], black in the hole; known [B, 1, E, E] in 0..1 -> [B, 3, E, E].
-torch::Tensor continued(const torch::Tensor& seen, const torch::Tensor& known) {
-  if (seen.size(-1) % 2 != 0) {
-    const auto mean = seen.sum({2, 3}, true) / known.sum({2, 3}, true).clamp_min(1e-6);
-    return torch::where(known > 0, seen / known.clamp_min(1e-6), mean);
-  }
-  const auto coarse = continued(torch::avg_pool2d(seen, 2), torch::avg_pool2d(known, 2));
-  return seen + (1 - known) * torch::upsample_bilinear2d(coarse, {seen.size(-2), seen.size(-1)},
-                                                         /*align_corners=*/false);
+/// Its averages over squares of 8 pixels: what changes with light, without texture.
+torch::Tensor smooth(const torch::Tensor& planes) {
+  const auto averages = torch::avg_pool2d(planes, /*kernel_size=*/8, /*stride=*/4, /*padding=*/2,
+                                          /*ceil_mode=*/false, /*count_include_pad=*/false);
+  return torch::upsample_bilinear2d(averages, {planes.size(-2), planes.size(-1)},
+                                    /*align_corners=*/false);
 }
 
 }  // namespace
@@ -47,10 +42,9 @@ FrameSynthesizerImpl::FrameSynthesizerImpl() {
   to_frame_ = register_module("to_frame", nn::Sequential(nn::ReLU(), convolution(24, 4, 3, 1)));
 }
 
-torch::Tensor FrameSynthesizerImpl::forward(const torch::Tensor& background,
-                                            const torch::Tensor& hole, const torch::Tensor& object,
+torch::Tensor FrameSynthesizerImpl::forward(const torch::Tensor& floor, const torch::Tensor& hole,
+                                            const torch::Tensor& object,
                                             const torch::Tensor& alpha) {
-  const auto floor = continued(background, 1 - hole);
   const auto input = torch::cat({floor, hole, object * alpha, alpha}, 1)
                          .contiguous(torch::MemoryFormat::ChannelsLast);
   const auto at_half = fine_->forward(input);                                 // [B, 24, 48, 48]
@@ -59,11 +53,15 @@ torch::Tensor FrameSynthesizerImpl::forward(const torch::Tensor& background,
   const auto up = to_middle_->forward(torch::cat({from_deepest, at_quarter}, 1));
   const auto finest = to_fine_->forward(torch::cat({up, at_half}, 1));    // [B, 16, 96, 96]
   const auto drawn = to_frame_->forward(torch::cat({finest, input}, 1));  // [B, 4, 96, 96]
-  // The floor is kept, but for a shade factor and a change that is small outside the hole.
-  const auto change = torch::tanh(drawn.slice(1, 0, 3));
-  const auto filled =
-      floor * (2 * torch::sigmoid(drawn.slice(1, 3, 4))) + (0.25 + 0.25 * hole) * change;
-  return (alpha * (object + 0.25 * change) + (1 - alpha) * filled).clamp(0, 1);
+  // The floor changes as light does, smoothly, so that it keeps its texture: the network can not
+  // know how the texture goes on in the hole, and would average over all that it may be. Next to
+  // the object, where its outline and its shadow meet, the change is as fine as the pixels.
+  const auto near_object = torch::max_pool2d(alpha, /*kernel_size=*/9, /*stride=*/1, /*padding=*/4);
+  const auto light = smooth(drawn);
+  const auto fine = light + near_object * (drawn - light);
+  const auto change = torch::tanh(fine.slice(1, 0, 3));
+  const auto lit = floor * (2 * torch::sigmoid(fine.slice(1, 3, 4))) + 0.25 * change;
+  return (alpha * (object + 0.25 * change) + (1 - alpha) * lit).clamp(0, 1);
 }
 
 }  // namespace conceptplan

@@ -123,7 +123,7 @@ VictLosses VictTrainer::synthesisStep(std::mt19937_64& generator) {
     const double x = centered.x_px + jitter(), y = centered.y_px + jitter();
     const WindowCorner corner = windowAround(x, y, kFrameWidth, kFrameHeight);
     const FrameWindow window =
-        cutWindow(example.source->rgb, example.source->hole, kFrameWidth, corner,
+        cutWindow(example.source->floor_rgb, example.source->hole, kFrameWidth, corner,
                   hiddenBehind(std::move(drawn[static_cast<std::size_t>(i)]),
                                example.source->others_mm, kFrameWidth));
     planes[i].copy_(torch::tensor(window.planes).view({8, kEdge, kEdge}));

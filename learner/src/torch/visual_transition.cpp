@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
@@ -63,25 +61,21 @@ Tokens VisualTransition::apply(const Tokens& tokens, const Tokens& context, Acti
   return toTokens(next).front();
 }
 
-RgbdImage VisualTransition::synthesize(const RgbdImage& initial, std::uint8_t instance,
+RgbdImage VisualTransition::synthesize(const Background& background, std::uint8_t instance,
                                        const DrawnObject& object) const {
-  if (instance == 0 ||
-      std::find(initial.mask.begin(), initial.mask.end(), instance) == initial.mask.end())
-    throw std::invalid_argument("synthesize: the picture has no instance " +
-                                std::to_string(instance));
-  const auto hole = holeOf(initial.mask, initial.width, initial.height, instance);
-  const auto old_place = middleOf(hole, initial.width);
-  const DrawnObject seen = hiddenBehind(object, othersDepth_mm(initial, instance), initial.width);
+  RgbdImage image = background.image;
+  const auto old_place = middleOf(background.hole, image.width);
+  const DrawnObject seen = hiddenBehind(object, objectsDepth_mm(image), image.width);
   const WindowCorner crop = cropCorner(seen);
   const double half = DrawnObject::kEdge / 2.0;
   const std::array<WindowCorner, 2> corners{
-      windowAround(old_place[0], old_place[1], initial.width, initial.height),
-      windowAround(crop.left + half, crop.top + half, initial.width, initial.height)};
+      windowAround(old_place[0], old_place[1], image.width, image.height),
+      windowAround(crop.left + half, crop.top + half, image.width, image.height)};
 
   auto planes = torch::empty({2, 8, kEdge, kEdge});
   for (std::int64_t i = 0; i < 2; ++i) {
-    const FrameWindow window =
-        cutWindow(initial.rgb, hole, initial.width, corners[static_cast<std::size_t>(i)], seen);
+    const FrameWindow window = cutWindow(image.rgb, background.hole, image.width,
+                                         corners[static_cast<std::size_t>(i)], seen);
     planes[i].copy_(torch::tensor(window.planes).view({8, kEdge, kEdge}));
   }
   const torch::InferenceMode inference;
@@ -91,18 +85,17 @@ RgbdImage VisualTransition::synthesize(const RgbdImage& initial, std::uint8_t in
                          .contiguous();
 
   // Windows blend into each other and, over a thin margin, into the frame.
-  std::vector<float> sum(initial.rgb.size(), 0.0F), weight(initial.mask.size(), 0.0F);
+  std::vector<float> sum(image.rgb.size(), 0.0F), weight(image.mask.size(), 0.0F);
   const float* from = drawn.data_ptr<float>();
   for (const WindowCorner& corner : corners)
     for (int channel = 0; channel < 3; ++channel)
       for (int y = 0; y < kEdge; ++y)
         for (int x = 0; x < kEdge; ++x, ++from) {
           const auto pixel =
-              static_cast<std::size_t>((corner.top + y) * initial.width + corner.left + x);
+              static_cast<std::size_t>((corner.top + y) * image.width + corner.left + x);
           sum[3 * pixel + static_cast<std::size_t>(channel)] += windowWeight(x, y) * *from;
           if (channel == 0) weight[pixel] += windowWeight(x, y);
         }
-  RgbdImage image = initial;
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     const float total = weight[i / 3];
     if (total <= 0) continue;
@@ -110,7 +103,7 @@ RgbdImage VisualTransition::synthesize(const RgbdImage& initial, std::uint8_t in
     const float value = (sum[i] + kept) / std::max(1.0F, total);
     image.rgb[i] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
   }
-  moveInstance(image, instance, seen);
+  placeInstance(image, instance, seen);
   return image;
 }
 

@@ -10,17 +10,15 @@
 namespace conceptplan {
 
 /// What may stand before a drawn object: [height, width], millimetres along the camera's axis of
-/// all objects but that instance, 0 elsewhere.
-std::vector<std::uint16_t> othersDepth_mm(const RgbdImage& image, std::uint8_t instance);
+/// all objects of a picture, 0 elsewhere.
+std::vector<std::uint16_t> objectsDepth_mm(const RgbdImage& image);
 
 /// The object with no opacity where another object stands nearer to the camera.
-/// others_mm [height, width] as of `othersDepth_mm`.
+/// others_mm [height, width] as of `objectsDepth_mm`.
 DrawnObject hiddenBehind(DrawnObject object, std::span<const std::uint16_t> others_mm, int width);
 
-/// Mask and depth of a picture in which that instance has gone from its place and stands where the
-/// object was drawn; colours are not touched. Where it stood, depth goes on as a plane does:
-/// inverse depth is linear along a row, between the background on both sides. `object` is as of
-/// `hiddenBehind`. @pre the picture has depth and mask of its size
-void moveInstance(RgbdImage& image, std::uint8_t instance, const DrawnObject& object);
+/// Sets mask and depth of a picture where the object was drawn; colours are not touched.
+/// `object` is as of `hiddenBehind`. @pre the picture has depth and mask of its size
+void placeInstance(RgbdImage& image, std::uint8_t instance, const DrawnObject& object);
 
 }  // namespace conceptplan

@@ -15,7 +15,7 @@ struct FrameWindow {
   static constexpr int kPixels = kEdge * kEdge;
   int left = 0;               ///< column of the first pixel, within the frame
   int top = 0;                ///< row of the first pixel, within the frame
-  std::vector<float> planes;  ///< [8, 96, 96]: background, hole, object, alpha; 0 to 1
+  std::vector<float> planes;  ///< [8, 96, 96]: floor, hole, object, alpha; 0 to 1
 };
 
 /// The corner of the window that is nearest to being centred at a pixel of a frame of that size.
@@ -28,13 +28,9 @@ WindowCorner windowAround(double x, double y, int width, int height);
 /// Corner of the crop in which a drawn object lies, in pixels of the frame.
 WindowCorner cropCorner(const DrawnObject& object);
 
-/// The window of a frame: the frame without its hole, and the object over it.
-/// rgb [height, width, 3]; hole [height, width], 1 where the object was.
+/// The window of a frame: the floor, where the hole was, and the object that comes over it.
+/// rgb [height, width, 3] and hole [height, width] as of `Background`.
 FrameWindow cutWindow(std::span<const std::uint8_t> rgb, std::span<const std::uint8_t> hole,
                       int width, WindowCorner corner, const DrawnObject& object);
-
-/// 1 where an instance is, grown by two pixels, except on other instances: [height, width].
-std::vector<std::uint8_t> holeOf(std::span<const std::uint8_t> mask, int width, int height,
-                                 std::uint8_t instance);
 
 }  // namespace conceptplan

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "conceptplan/domain/action.hpp"
-#include "conceptplan/domain/image.hpp"
+#include "conceptplan/learner/background.hpp"
 #include "conceptplan/learner/concept_learner.hpp"
 
 namespace conceptplan {
@@ -24,11 +24,10 @@ class VisualTransition {
   /// C1' = T(C0, V(a)), Eq. (7). `context` is that of `effectContext`.
   Tokens apply(const Tokens& tokens, const Tokens& context, Action action) const;
 
-  /// The picture `initial`, its depth and its mask with the instance gone from its place and the
-  /// object drawn instead, hidden where other objects stand before it.
-  /// @throws std::invalid_argument if the picture has no such instance, or is smaller than a window
-  /// of 96 x 96.
-  RgbdImage synthesize(const RgbdImage& initial, std::uint8_t instance,
+  /// The picture, its depth and its mask with the object drawn as that instance, hidden where other
+  /// objects stand before it.
+  /// @throws std::invalid_argument if the picture is smaller than a window of 96 x 96.
+  RgbdImage synthesize(const Background& background, std::uint8_t instance,
                        const DrawnObject& object) const;
 
  private:

@@ -6,19 +6,19 @@
 
 namespace conceptplan {
 
-/// Draws a moved object into a frame, window by window: fills the hole that it leaves, and adds its
-/// picture and shadow. Background encoder and decoder of ViCT, Sec. III-C of arXiv 2310.03325, in
-/// one network of three scales with skip connections. Only windows around the old and the new place
-/// are drawn; what lies outside stays as it was.
+/// Draws a moved object into a frame without it, window by window: lights the floor where it stood,
+/// and adds its picture and shadow. Background encoder and decoder of ViCT, Sec. III-C of arXiv
+/// 2310.03325, in one network of three scales with skip connections. Only windows around the old
+/// and the new place are drawn; what lies outside stays as it was.
 class FrameSynthesizerImpl : public torch::nn::Module {
  public:
   static constexpr std::int64_t kWindow = 96;  ///< edge, pixels
 
   FrameSynthesizerImpl();
 
-  /// background [B, 3, 96, 96] in 0..1, black in the hole; hole [B, 1, 96, 96];
+  /// floor [B, 3, 96, 96] in 0..1 and hole [B, 1, 96, 96] as of `Background`;
   /// object [B, 3, 96, 96] and its opacity alpha [B, 1, 96, 96] -> [B, 3, 96, 96] in 0..1.
-  torch::Tensor forward(const torch::Tensor& background, const torch::Tensor& hole,
+  torch::Tensor forward(const torch::Tensor& floor, const torch::Tensor& hole,
                         const torch::Tensor& object, const torch::Tensor& alpha);
 
  private:

@@ -11,8 +11,9 @@ namespace conceptplan {
 /// One picture of a training task as ViCT needs it.
 struct SequenceFrame {
   std::vector<std::uint8_t> rgb;         ///< [256, 384, 3]
-  std::vector<std::uint8_t> hole;        ///< [256, 384], 1 where the target is; see `holeOf`
-  std::vector<std::uint16_t> others_mm;  ///< [256, 384], see `othersDepth_mm`
+  std::vector<std::uint8_t> floor_rgb;   ///< [256, 384, 3] without the target, see `Background`
+  std::vector<std::uint8_t> hole;        ///< [256, 384], 1 where the target hid the floor
+  std::vector<std::uint16_t> others_mm;  ///< [256, 384] without the target, see `objectsDepth_mm`
   double x_px = 0;                       ///< middle of the target's crop
   double y_px = 0;
   Tokens tokens;  ///< of the target
