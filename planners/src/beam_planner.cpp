@@ -45,7 +45,7 @@ bool keepBest(std::vector<Candidate>& candidates, const PathTree& tree, std::siz
   return cut;
 }
 
-std::vector<StatePath> beamPaths(const PathTask& task, const SuccessorFunction& successors,
+std::vector<StatePath> beamPaths(const PathTask& task, const StateSteps& successors,
                                  std::size_t width) {
   const ProjectionHeuristic heuristic(task.graph, task.goal, successors);
   PathTree tree(task.start);
@@ -89,7 +89,7 @@ BeamPlanner::BeamPlanner(const BeamPlannerOptions& options) : options_(options) 
 }
 
 PlanResult BeamPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const SuccessorFunction successors =
+  const StateSteps successors =
       likelySuccessors(graph, options_.legality_threshold, options_.step_discount);
   return planByPaths(graph, query, options_.legality_threshold, [&](const PathTask& task) {
     std::vector<StatePath> paths = beamPaths(task, successors, options_.width);

@@ -16,18 +16,19 @@ void checkBelief(const SymbolBelief& belief, const ConceptCardinality& cardinali
                  const std::string& place) {
   for (const Concept which : kConcepts) {
     const std::vector<double>& row = belief[index(which)];
-    const std::string where = place + ", " + std::string(name(which)) + ": ";
+    const auto refuse = [&](const std::string& fault) {
+      throw std::invalid_argument(place + ", " + std::string(name(which)) + ": " + fault);
+    };
     if (row.size() != cardinality[index(which)]) {
-      throw std::invalid_argument(where + "expected " + std::to_string(cardinality[index(which)]) +
-                                  " symbols, found " + std::to_string(row.size()));
+      refuse("expected " + std::to_string(cardinality[index(which)]) + " symbols, found " +
+             std::to_string(row.size()));
     }
     if (std::any_of(row.begin(), row.end(), [](double p) { return !(p >= 0); })) {
-      throw std::invalid_argument(where + "a probability is negative or not a number");
+      refuse("a probability is negative or not a number");
     }
     const double sum = std::accumulate(row.begin(), row.end(), 0.0);
     if (!(std::abs(sum - 1) <= kSumTolerance)) {
-      throw std::invalid_argument(where + "the probabilities sum to " + std::to_string(sum) +
-                                  ", expected 1");
+      refuse("the probabilities sum to " + std::to_string(sum) + ", expected 1");
     }
   }
 }

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "belief_search.hpp"
-#include "conceptplan/planners/belief_update.hpp"
 #include "conceptplan/planners/search_guard.hpp"
 #include "legality_trace.hpp"
 #include "option_range.hpp"
+#include "sparse_belief.hpp"
 
 namespace conceptplan {
 namespace {
@@ -19,22 +19,21 @@ constexpr std::size_t kTracedStates = 64;
 constexpr double kScoreResolution = 1e-12;
 
 /// The belief that is certain of one state.
-StateBelief only(const SymbolGraph& graph, StateId state) {
-  StateBelief belief(graph.numStates(), 0);
-  belief[index(state)] = 1;
+SparseBelief only(StateId state) { return {{state, 1}}; }
+
+bool isLessProbable(const Mass& a, const Mass& b) { return a.mass < b.mass; }
+
+SparseBelief withoutImprobable(SparseBelief belief, double least) {
+  if (belief.empty()) return belief;
+  const double most = std::max_element(belief.begin(), belief.end(), isLessProbable)->mass;
+  std::erase_if(belief, [&](const Mass& entry) { return entry.mass < least * most; });
   return belief;
 }
 
-StateBelief withoutImprobable(StateBelief belief, double least) {
-  const double most = *std::max_element(belief.begin(), belief.end());
-  for (double& mass : belief) {
-    if (mass < least * most) mass = 0;
-  }
-  return belief;
-}
-
-StateId mostProbableState(const StateBelief& belief) {
-  return static_cast<StateId>(std::max_element(belief.begin(), belief.end()) - belief.begin());
+/// The first state if the belief is of nothing.
+StateId mostProbableState(const SparseBelief& belief) {
+  if (belief.empty()) return StateId{0};
+  return std::max_element(belief.begin(), belief.end(), isLessProbable)->state;
 }
 
 void addNew(std::vector<ScoredSequence>& sequences, const std::vector<ScoredSequence>& more,
@@ -51,14 +50,14 @@ void addNew(std::vector<ScoredSequence>& sequences, const std::vector<ScoredSequ
 /// One problem as the planner sees it.
 struct BeliefTask {
   const SymbolGraph& graph;
-  StateBelief start;
-  StateBelief goal;
+  SparseBelief start;
+  SparseBelief goal;
   double threshold;
 };
 
 /// The most probable state before the first action and after each one.
 std::vector<StateId> likelyStates(const BeliefTask& task, const ActionSequence& actions) {
-  StateBelief belief = task.start;
+  SparseBelief belief = task.start;
   std::vector<StateId> states{mostProbableState(belief)};
   for (const Action action : actions) {
     belief = propagateLegal(task.graph, belief, action, task.threshold);
@@ -95,7 +94,7 @@ bool ranksBefore(const Plan& a, const Plan& b) {
 std::vector<ScoredSequence> candidates(const BeliefTask& task, const PlanQuery& query,
                                        const BeliefPlannerOptions& options, SearchGuard& guard,
                                        SearchStatistics& statistics) {
-  const StateBelief start = withoutImprobable(task.start, options.min_hypothesis);
+  const SparseBelief start = withoutImprobable(task.start, options.min_hypothesis);
   BeliefSearchOptions search;
   search.legality_threshold = options.legality_threshold;
   search.discount = 1 - options.step_discount;
@@ -147,8 +146,8 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   const bool hard = options_.hard_symbols;
   const BeliefTask task{
       graph,
-      hard ? only(graph, graph.mostProbableStart()) : startBelief(graph, graph.initialBelief()),
-      hard ? only(graph, graph.mostProbableGoal()) : graph.stateBelief(graph.problem().goal),
+      hard ? only(graph.mostProbableStart()) : sparseStartBelief(graph, graph.initialBelief()),
+      hard ? only(graph.mostProbableGoal()) : sparseStateBelief(graph, graph.problem().goal),
       options_.legality_threshold};
   const double discount = 1 - options_.step_discount;
   const std::string mismatch = frozenMismatch(graph);

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "graph_tables.hpp"
+
 namespace conceptplan {
 namespace {
 
@@ -17,14 +19,6 @@ constexpr double kValueTolerance = 1e-12;
 /// Scores below this are no plans.
 constexpr double kLeastScore = 1e-12;
 
-struct Mass {
-  StateId state{};
-  double mass = 0;
-};
-
-/// Sorted by state; masses above zero.
-using SparseBelief = std::vector<Mass>;
-
 /// For kJoint the best discounted probability of the goal if the state could be seen after each
 /// action; for kConditional the best discounted goal of all states that actions may lead to.
 std::vector<double> stateValues(const SymbolGraph& graph, const StateBelief& goal,
@@ -33,13 +27,13 @@ std::vector<double> stateValues(const SymbolGraph& graph, const StateBelief& goa
   for (std::size_t sweep = 0; sweep < options.horizon; ++sweep) {
     double change = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto state = static_cast<StateId>(i);
+      const StateActions actions(graph, static_cast<StateId>(i));
       double best = values[i];
       for (const Action action : kActions) {
-        if (graph.legality(state, action) <= options.legality_threshold) continue;
+        if (actions.legality(action) <= options.legality_threshold) continue;
         double sum = 0;
         double most = 0;
-        for (const Transition& transition : graph.transitions(state, action)) {
+        for (const Transition& transition : actions.transitions(action)) {
           if (!graph.valid(transition.state)) continue;
           sum += transition.probability * values[index(transition.state)];
           most = std::max(most, values[index(transition.state)]);
@@ -56,19 +50,17 @@ std::vector<double> stateValues(const SymbolGraph& graph, const StateBelief& goa
 
 class BeliefSearch {
  public:
-  BeliefSearch(const SymbolGraph& graph, const StateBelief& goal,
+  BeliefSearch(const SymbolGraph& graph, const SparseBelief& goal,
                const BeliefSearchOptions& options)
       : graph_(graph),
-        goal_(goal),
+        goal_(dense(goal, graph.numStates())),
         options_(options),
-        values_(stateValues(graph, goal, options)),
+        values_(stateValues(graph, goal_, options)),
         dense_(graph.numStates(), 0) {}
 
-  std::vector<ScoredSequence> run(const StateBelief& start, SearchGuard& guard,
+  std::vector<ScoredSequence> run(const SparseBelief& start, SearchGuard& guard,
                                   SearchStatistics& statistics) {
-    for (std::size_t i = 0; i < start.size(); ++i) {
-      if (start[i] > 0) touch(static_cast<StateId>(i), start[i]);
-    }
+    for (const Mass& entry : start) touch(entry.state, entry.mass);
     push(kRoot, Action::kMoveFront, 0, intern(takeTouched()));
     std::vector<ScoredSequence> found;
     while (!queue_.empty() && found.size() < options_.top) {
@@ -135,14 +127,8 @@ class BeliefSearch {
       dense_[index(state)] = 0;
     }
     touched_.clear();
-    if (options_.ranking == Ranking::kConditional) scale(belief);
+    if (options_.ranking == Ranking::kConditional) normalize(belief);
     return belief;
-  }
-
-  static void scale(SparseBelief& belief) {
-    double sum = 0;
-    for (const Mass& entry : belief) sum += entry.mass;
-    for (Mass& entry : belief) entry.mass /= sum;
   }
 
   /// The number of the belief, the same for equal ones.
@@ -191,8 +177,9 @@ class BeliefSearch {
     if (node.length == options_.horizon) return;
     for (const Action action : kActions) {
       for (const Mass& entry : beliefs_[node.belief]) {
-        if (graph_.legality(entry.state, action) <= options_.legality_threshold) continue;
-        for (const Transition& transition : graph_.transitions(entry.state, action)) {
+        const StateActions actions(graph_, entry.state);
+        if (actions.legality(action) <= options_.legality_threshold) continue;
+        for (const Transition& transition : actions.transitions(action)) {
           if (graph_.valid(transition.state)) {
             touch(transition.state, entry.mass * transition.probability);
           }
@@ -221,7 +208,7 @@ class BeliefSearch {
   }
 
   const SymbolGraph& graph_;
-  const StateBelief& goal_;
+  StateBelief goal_;
   const BeliefSearchOptions& options_;
   std::vector<double> values_;
   std::vector<SparseBelief> beliefs_;
@@ -236,8 +223,8 @@ class BeliefSearch {
 
 }  // namespace
 
-std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const StateBelief& start,
-                                          const StateBelief& goal,
+std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const SparseBelief& start,
+                                          const SparseBelief& goal,
                                           const BeliefSearchOptions& options, SearchGuard& guard,
                                           SearchStatistics& statistics) {
   return BeliefSearch(graph, goal, options).run(start, guard, statistics);

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "conceptplan/planners/belief_planner.hpp"
-#include "conceptplan/planners/belief_update.hpp"
 #include "conceptplan/planners/search_guard.hpp"
+#include "sparse_belief.hpp"
 
 namespace conceptplan {
 
@@ -38,8 +38,8 @@ struct BeliefSearchOptions {
 /// their score is the same; actions that leave the belief as it is are not taken.
 /// Once a limit strikes, the best sequences found so far follow, unproved.
 /// @param start a measure over states; what it leaves out is not searched for.
-std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const StateBelief& start,
-                                          const StateBelief& goal,
+std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const SparseBelief& start,
+                                          const SparseBelief& goal,
                                           const BeliefSearchOptions& options, SearchGuard& guard,
                                           SearchStatistics& statistics);
 

@@ -2,35 +2,18 @@
 
 #include <numeric>
 
+#include "sparse_belief.hpp"
+
 namespace conceptplan {
-namespace {
-
-void spread(const SymbolGraph& graph, StateId from, Action action, double mass, StateBelief& next) {
-  for (const Transition& transition : graph.transitions(from, action)) {
-    next[index(transition.state)] += mass * transition.probability;
-  }
-}
-
-}  // namespace
 
 StateBelief propagate(const SymbolGraph& graph, const StateBelief& belief, Action action) {
-  StateBelief next(graph.numStates(), 0);
-  for (std::size_t i = 0; i < belief.size(); ++i) {
-    if (belief[i] > 0) spread(graph, static_cast<StateId>(i), action, belief[i], next);
-  }
-  return next;
+  constexpr double kBelowAnyLegality = -1;
+  return propagateLegal(graph, belief, action, kBelowAnyLegality);
 }
 
 StateBelief propagateLegal(const SymbolGraph& graph, const StateBelief& belief, Action action,
                            double threshold) {
-  StateBelief next(graph.numStates(), 0);
-  for (std::size_t i = 0; i < belief.size(); ++i) {
-    const auto from = static_cast<StateId>(i);
-    if (belief[i] > 0 && graph.legality(from, action) > threshold) {
-      spread(graph, from, action, belief[i], next);
-    }
-  }
-  return next;
+  return dense(propagateLegal(graph, sparse(belief), action, threshold), graph.numStates());
 }
 
 void keepValid(const SymbolGraph& graph, StateBelief& belief) {
@@ -52,26 +35,12 @@ double agreement(const StateBelief& belief, const StateBelief& goal) {
 }
 
 StateBelief startBelief(const SymbolGraph& graph, const SymbolBelief& belief) {
-  StateBelief all = graph.stateBelief(belief);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i] *= graph.readingShare(graph.readingOf(static_cast<StateId>(i)));
-  }
-  StateBelief valid = all;
-  keepValid(graph, valid);
-  return normalize(valid) > 0 ? valid : all;
+  return dense(sparseStartBelief(graph, belief), graph.numStates());
 }
 
 PlanProbability probabilityOf(const SymbolGraph& graph, const ActionSequence& actions,
                               const StateBelief& start, const StateBelief& goal, double threshold) {
-  StateBelief belief = start;
-  double survived = 1;
-  for (const Action action : actions) {
-    belief = propagateLegal(graph, belief, action, threshold);
-    keepValid(graph, belief);
-    survived *= normalize(belief);
-  }
-  const double conditional = agreement(belief, goal) * graph.frozenAgreement();
-  return {survived * conditional, conditional};
+  return probabilityOf(graph, actions, sparse(start), sparse(goal), threshold);
 }
 
 }  // namespace conceptplan

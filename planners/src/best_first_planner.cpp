@@ -1,5 +1,7 @@
 #include "conceptplan/planners/best_first_planner.hpp"
 
+#include <functional>
+
 #include "conceptplan/planners/path_planning.hpp"
 #include "option_range.hpp"
 #include "path_search.hpp"
@@ -10,13 +12,13 @@ namespace {
 
 /// Nothing if a limit struck.
 std::optional<PathHeuristic> heuristicOf(Guidance guidance, const PathTask& task,
-                                         const SuccessorFunction& successors) {
+                                         const StateSteps& successors) {
   if (guidance == Guidance::kNone) return [](StateId) { return PathCost{0}; };
   if (guidance == Guidance::kProjections) {
     return ProjectionHeuristic(task.graph, task.goal, successors);
   }
-  auto distances = distancesToGoal(task.graph.numStates(), task.start, task.goal, successors,
-                                   task.guard, task.statistics);
+  auto distances = distancesToGoal(task.graph.numStates(), task.start, task.goal,
+                                   std::cref(successors), task.guard, task.statistics);
   if (!distances) return std::nullopt;
   return [distances = std::move(*distances)](StateId state) { return distances[index(state)]; };
 }
@@ -29,14 +31,14 @@ BestFirstPlanner::BestFirstPlanner(const BestFirstPlannerOptions& options) : opt
 }
 
 PlanResult BestFirstPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const SuccessorFunction successors =
+  const StateSteps successors =
       likelySuccessors(graph, options_.legality_threshold, options_.step_discount);
   return planByPaths(graph, query, options_.legality_threshold,
                      [&](const PathTask& task) -> std::vector<StatePath> {
                        const auto heuristic = heuristicOf(options_.guidance, task, successors);
                        if (!heuristic) return {};
-                       return bestPaths(graph.numStates(), task.start, task.goal, successors,
-                                        *heuristic,
+                       return bestPaths(graph.numStates(), task.start, task.goal,
+                                        std::cref(successors), *heuristic,
                                         {query.top, query.limits.horizon, options_.greedy},
                                         task.guard, task.statistics);
                      });

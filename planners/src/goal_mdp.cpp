@@ -31,17 +31,16 @@ SuccessorFunction policySuccessors(const SymbolGraph& graph, StateId goal,
     for (const Action action : kActions) {
       const double value = values.of_action(state, action);
       if (value <= 0) continue;
-      const Transition* main = nullptr;
+      std::optional<StateId> main;
       double most = 0;
       for (const Transition& outcome : graph.transitions(state, action)) {
         if (outcome.state == state || !graph.valid(outcome.state)) continue;
         const double share = outcome.probability * values.of_state[index(outcome.state)];
         if (share <= most) continue;
-        main = &outcome;
+        main = outcome.state;
         most = share;
       }
-      if (main != nullptr)
-        next.push_back({action, main->state, toPathCost(std::log(best / value))});
+      if (main) next.push_back({action, *main, toPathCost(std::log(best / value))});
     }
   };
 }
@@ -61,10 +60,11 @@ GoalMdp::GoalMdp(const SymbolGraph& graph, StateId goal, double legality_thresho
   }
 }
 
-double GoalMdp::actionValue(StateId state, Action action, const std::vector<double>& values) const {
-  if (!isLegal(state, action)) return 0;
+double GoalMdp::actionValue(const StateActions& at, Action action,
+                            const std::vector<double>& values) const {
+  if (at.legality(action) <= legality_threshold_) return 0;
   double sum = 0;
-  for (const Transition& outcome : graph_.transitions(state, action)) {
+  for (const Transition& outcome : at.transitions(action)) {
     if (graph_.valid(outcome.state)) sum += outcome.probability * values[index(outcome.state)];
   }
   return discount_ * sum;
@@ -72,15 +72,16 @@ double GoalMdp::actionValue(StateId state, Action action, const std::vector<doub
 
 GoalMdp::Choice GoalMdp::best(StateId state, const std::vector<double>& values) const {
   Choice best;
+  const StateActions at(graph_, state);
   for (const Action action : kActions) {
-    const double value = actionValue(state, action, values);
+    const double value = actionValue(at, action, values);
     if (value > best.value) best = {action, value};
   }
   return best;
 }
 
 std::optional<StateId> GoalMdp::draw(StateId state, Action action, std::mt19937_64& random) const {
-  const std::span<const Transition> outcomes = graph_.transitions(state, action);
+  const TransitionRange outcomes = graph_.transitions(state, action);
   double rest = uniform(random);
   std::size_t drawn = 0;
   for (; drawn + 1 < outcomes.size() && rest >= outcomes[drawn].probability; ++drawn) {

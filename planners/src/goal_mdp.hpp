@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "conceptplan/planners/path_planning.hpp"
+#include "graph_tables.hpp"
 
 namespace conceptplan {
 
@@ -28,7 +29,9 @@ class GoalMdp {
   const std::vector<double>& optimisticValues() const { return optimistic_values_; }
 
   /// Q(state, action) under these values of the next states; 0 if the action is not legal.
-  double actionValue(StateId state, Action action, const std::vector<double>& values) const;
+  double actionValue(StateId state, Action action, const std::vector<double>& values) const {
+    return actionValue(StateActions(graph_, state), action, values);
+  }
 
   struct Choice {
     Action action{};
@@ -41,6 +44,9 @@ class GoalMdp {
   std::optional<StateId> draw(StateId state, Action action, std::mt19937_64& random) const;
 
  private:
+  double actionValue(const StateActions& at, Action action,
+                     const std::vector<double>& values) const;
+
   const SymbolGraph& graph_;
   StateId goal_;
   double legality_threshold_;

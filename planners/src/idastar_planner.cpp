@@ -15,7 +15,7 @@ constexpr PathCost kFirstRise = kNat / 100;
 
 class IteratedDeepening {
  public:
-  IteratedDeepening(const PathTask& task, const SuccessorFunction& successors)
+  IteratedDeepening(const PathTask& task, const StateSteps& successors)
       : task_(task),
         successors_(successors),
         heuristic_(task.graph, task.goal, successors),
@@ -93,7 +93,7 @@ class IteratedDeepening {
   }
 
   const PathTask& task_;
-  const SuccessorFunction& successors_;
+  const StateSteps& successors_;
   const ProjectionHeuristic heuristic_;
   std::vector<std::vector<Searched>> searched_;  // [states]
   std::vector<Successor> next_;
@@ -111,7 +111,7 @@ IdaStarPlanner::IdaStarPlanner(const IdaStarPlannerOptions& options) : options_(
 }
 
 PlanResult IdaStarPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const SuccessorFunction successors =
+  const StateSteps successors =
       likelySuccessors(graph, options_.legality_threshold, options_.step_discount);
   return planByPaths(graph, query, options_.legality_threshold,
                      [&](const PathTask& task) -> std::vector<StatePath> {

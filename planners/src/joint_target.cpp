@@ -8,8 +8,6 @@
 namespace conceptplan {
 namespace {
 
-using ConceptSet = std::array<bool, kNumConcepts>;
-
 /// TYPE symbols of objects of which it is open where they are and what symbols they have.
 using OpenTypes = std::vector<bool>;
 
@@ -188,8 +186,9 @@ JointTarget::JointTarget(const SymbolicModel& model, std::span<const Symbols> sc
       if (!defined[index(action)] || !changeable[index(which)]) continue;
       auto& table = outcomes[index(action)][index(which)];
       table = SymbolTable<ConceptOutcomes>(
-          dependence(model.transitions.effect(action, which).context, which, changeable, open),
-          cardinality, start_, [&](const Symbols& target) {
+          {dependence(model.transitions.effect(action, which).context, which, changeable, open),
+           cardinality},
+          start_, [&](const Symbols& target) {
             return outcomesOf(model, action, which, around(target), open, rules_.min_share);
           });
       for (const ConceptOutcomes& entry : table.values()) {

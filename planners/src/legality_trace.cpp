@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "graph_tables.hpp"
 #include "projection_heuristic.hpp"
 
 namespace conceptplan {
@@ -41,9 +42,10 @@ std::vector<std::size_t> actionsFrom(const SymbolGraph& graph, StateId from,
   actions[index(from)] = 0;
   for (std::size_t i = 0; i < open.size(); ++i) {
     const StateId state = open[i];
+    const StateActions at(graph, state);
     for (const Action action : kActions) {
-      if (graph.legality(state, action) <= legality_threshold) continue;
-      for (const Transition& outcome : graph.transitions(state, action)) {
+      if (at.legality(action) <= legality_threshold) continue;
+      for (const Transition& outcome : at.transitions(action)) {
         std::size_t& reached = actions[index(outcome.state)];
         if (reached != kNotReached || !isPassable(graph.verdict(outcome.state), removed)) continue;
         reached = actions[index(state)] + 1;
@@ -146,14 +148,15 @@ std::vector<Rejection> traceRejections(const SymbolGraph& graph, std::span<const
   for (const StateId state : states) {
     if (done[index(state)]) continue;
     done[index(state)] = true;
+    const StateActions at(graph, state);
     for (const Action action : kActions) {
-      const double legality = graph.legality(state, action);
+      const double legality = at.legality(action);
       if (legality <= legality_threshold) {
         rejections.push_back(
             {graph.symbols(state), action, Invalidity::kNone, std::nullopt, legality});
         continue;
       }
-      const Verdict& verdict = graph.verdict(graph.transitions(state, action).front().state);
+      const Verdict& verdict = graph.verdict(at.transitions(action).front().state);
       if (verdict.valid()) continue;
       Rejection rejection{graph.symbols(state), action, verdict.cause, std::nullopt,
                           verdict.clearance_m};
@@ -176,9 +179,10 @@ std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
   for (std::size_t depth = 0; depth < horizon && layer_begin < states.size(); ++depth) {
     const std::size_t layer_end = states.size();
     for (; layer_begin < layer_end; ++layer_begin) {
+      const StateActions at(graph, states[layer_begin]);
       for (const Action action : kActions) {
-        if (graph.legality(states[layer_begin], action) <= legality_threshold) continue;
-        for (const Transition& transition : graph.transitions(states[layer_begin], action)) {
+        if (at.legality(action) <= legality_threshold) continue;
+        for (const Transition& transition : at.transitions(action)) {
           if (!graph.valid(transition.state) || seen[index(transition.state)]) continue;
           if (states.size() >= most) return states;
           seen[index(transition.state)] = true;

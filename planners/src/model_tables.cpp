@@ -5,8 +5,6 @@
 namespace conceptplan {
 namespace {
 
-using ConceptSet = std::array<bool, kNumConcepts>;
-
 /// Adds what the feature depends on of the target; where a neighbour lies depends on the position.
 void addDependence(const ContextFeature& feature, const ConceptSet& changeable,
                    ConceptSet& depends) {
@@ -19,58 +17,69 @@ void addDependence(const ContextFeature& feature, const ConceptSet& changeable,
   }
 }
 
-std::vector<SymbolOutcome> probableOutcomes(const std::vector<double>& next, double min_share) {
+SymbolEffect effectOf(const std::vector<double>& next, std::size_t own, double min_share) {
+  SymbolEffect effect;
   const double least = min_share * *std::max_element(next.begin(), next.end());
-  std::vector<SymbolOutcome> outcomes;
   for (std::size_t symbol = 0; symbol < next.size(); ++symbol) {
-    if (next[symbol] > 0 && next[symbol] >= least) outcomes.push_back({symbol, next[symbol]});
+    if (next[symbol] > 0 && next[symbol] >= least) {
+      effect.outcomes.push_back({symbol, next[symbol]});
+    }
   }
-  return outcomes;
+  effect.change = 1 - next[own];
+  effect.stays = effect.outcomes.size() == 1 && next[own] == 1;
+  return effect;
+}
+
+bool isAboutOthers(const ContextFeature& feature) {
+  return feature.kind != ContextKind::kOwnSymbol;
 }
 
 }  // namespace
 
-ModelTables::ModelTables(const SymbolicModel& model, const Surroundings& among,
-                         const std::array<bool, kNumConcepts>& changeable, double min_share) {
-  const auto with = [&](const Symbols& target) {
-    return Surroundings{among.grounding, target, among.others};
-  };
-  for (const Action action : kActions) {
+ActionTables::ActionTables(const SymbolicModel& model, Action action, const Surroundings& among,
+                           const ConceptSet& changeable, double min_share)
     // Whether an object is absent does not depend on the target.
-    is_defined_[index(action)] = model.transitions.isDefined(action, among);
-    ConceptSet depends{};
-    for (const LegalityFactor& factor : model.legality.factors(action)) {
-      addDependence(factor.context, changeable, depends);
+    : is_defined(model.transitions.isDefined(action, among)) {
+  Surroundings here = among;
+  ConceptSet depends{};
+  for (const LegalityFactor& factor : model.legality.factors(action)) {
+    addDependence(factor.context, changeable, depends);
+  }
+  legality = {{depends, model.cardinality()}, among.target, [&](const Symbols& target) {
+                here.target = target;
+                return is_defined ? model.legality.probability(action, here) : 0;
+              }};
+  for (const Concept which : kConcepts) {
+    if (!changeable[index(which)]) continue;
+    depends = {};
+    depends[index(which)] = true;
+    for (const ContextFeature& feature : model.transitions.effect(action, which).context) {
+      addDependence(feature, changeable, depends);
     }
-    legality_[index(action)] =
-        SymbolTable<double>(depends, model.cardinality(), among.target, [&](const Symbols& target) {
-          return is_defined_[index(action)] ? model.legality.probability(action, with(target)) : 0;
-        });
-    for (const Concept which : kConcepts) {
-      if (!changeable[index(which)]) continue;
-      depends = {};
-      depends[index(which)] = true;
-      for (const ContextFeature& feature : model.transitions.effect(action, which).context) {
-        addDependence(feature, changeable, depends);
-      }
-      effects_[index(action)][index(which)] = SymbolTable<LocalEffect>(
-          depends, model.cardinality(), among.target, [&](const Symbols& target) {
-            const std::vector<double> next =
-                model.transitions.distribution(action, which, with(target));
-            return LocalEffect{probableOutcomes(next, min_share),
-                               1 - next[index(target[index(which)])]};
-          });
-    }
+    effects[index(which)] = {
+        {depends, model.cardinality()}, among.target, [&](const Symbols& target) {
+          here.target = target;
+          return effectOf(model.transitions.distribution(action, which, here),
+                          index(target[index(which)]), min_share);
+        }};
   }
 }
 
-bool ModelTables::changes(Concept which, double tolerance) const {
-  return std::any_of(kActions.begin(), kActions.end(), [&](Action action) {
-    const auto& effects = effects_[index(action)][index(which)].values();
-    return is_defined_[index(action)] &&
-           std::any_of(effects.begin(), effects.end(),
-                       [&](const LocalEffect& effect) { return effect.change > tolerance; });
-  });
+bool ActionTables::changes(Concept which, double tolerance) const {
+  const std::vector<SymbolEffect>& all = effects[index(which)].values();
+  return is_defined && std::any_of(all.begin(), all.end(), [&](const SymbolEffect& effect) {
+           return effect.change > tolerance;
+         });
+}
+
+bool dependsOnOthers(const SymbolicModel& model, Action action) {
+  const std::vector<LegalityFactor>& factors = model.legality.factors(action);
+  return std::any_of(factors.begin(), factors.end(),
+                     [](const LegalityFactor& factor) { return isAboutOthers(factor.context); }) ||
+         std::any_of(kConcepts.begin(), kConcepts.end(), [&](Concept which) {
+           const auto& context = model.transitions.effect(action, which).context;
+           return std::any_of(context.begin(), context.end(), isAboutOthers);
+         });
 }
 
 }  // namespace conceptplan

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "conceptplan/planners/belief_update.hpp"
 #include "legality_trace.hpp"
+#include "sparse_belief.hpp"
 
 namespace conceptplan {
 namespace {
@@ -36,8 +36,8 @@ PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double 
         legality_threshold);
     return result;
   }
-  const StateBelief start = startBelief(graph, graph.initialBelief());
-  const StateBelief goal = graph.stateBelief(graph.problem().goal);
+  const SparseBelief start = sparseStartBelief(graph, graph.initialBelief());
+  const SparseBelief goal = sparseStateBelief(graph, graph.problem().goal);
   for (const StatePath& path : found) {
     Plan plan;
     plan.actions = path.actions;

@@ -5,6 +5,9 @@
 #include <queue>
 #include <span>
 
+#include "best_path.hpp"
+#include "radix_queue.hpp"
+
 namespace conceptplan {
 namespace {
 
@@ -103,6 +106,11 @@ std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId 
                                  const SuccessorFunction& successors,
                                  const PathHeuristic& heuristic, const PathSearchOptions& options,
                                  SearchGuard& guard, SearchStatistics& statistics) {
+  if (options.top == 1 && !options.greedy) {
+    const auto best = bestPath(num_states, start, goal, successors, heuristic, options.horizon,
+                               guard, statistics);
+    if (best) return *best;
+  }
   std::vector<StatePath> found;
   PathTree tree(start);
   ExpandedLengths expanded(num_states);
@@ -139,7 +147,7 @@ std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_t
   // expanded in the order of their actions.
   return bestPaths(
       graph.numStates(), start, goal,
-      likelySuccessors(graph, legality_threshold, [](const Transition&) { return kNat; }),
+      likelySuccessors(graph, legality_threshold, [](const Outcome&) { return kNat; }),
       [](StateId) { return PathCost{0}; }, options, guard, statistics);
 }
 
@@ -147,19 +155,19 @@ std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
                                  std::span<const StateEdge> edges) {
   const EdgesByEnd into(num_states, edges);
   std::vector<PathCost> distance(num_states, kOutOfReach);
-  using Reached = std::pair<PathCost, StateId>;
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  std::vector<bool> done(num_states, false);
+  RadixQueue<StateId> open;
   distance[index(goal)] = 0;
-  open.push({0, goal});
+  open.push(0, goal);
   while (!open.empty()) {
-    const auto [cost, state] = open.top();
-    open.pop();
-    if (cost > distance[index(state)]) continue;
+    const StateId state = open.pop();
+    if (done[index(state)]) continue;
+    done[index(state)] = true;
     for (const StateEdge& edge : into[state]) {
-      const PathCost longer = cost + edge.cost;
+      const PathCost longer = distance[index(state)] + edge.cost;
       if (longer >= distance[index(edge.from)]) continue;
       distance[index(edge.from)] = longer;
-      open.push({longer, edge.from});
+      open.push(static_cast<std::uint64_t>(longer), edge.from);
     }
   }
   return distance;

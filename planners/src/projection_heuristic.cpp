@@ -1,79 +1,92 @@
 #include "projection_heuristic.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
 
 namespace conceptplan {
 namespace {
 
-/// Least cost of each change of one concept's symbol, [from][to].
-using SymbolCosts = std::vector<std::vector<PathCost>>;
+/// One change of a concept's symbol.
+struct SymbolStep {
+  std::size_t from;
+  std::size_t to;
+  PathCost cost;
+};
 
-/// Dijkstra's algorithm from the goal over the reversed, dense matrix.
-std::vector<PathCost> symbolDistances(const SymbolCosts& costs, std::size_t goal) {
-  std::vector<PathCost> distance(costs.size(), kOutOfReach);
-  std::vector<bool> done(costs.size(), false);
+/// Dijkstra's algorithm from the goal over the reversed steps.
+std::vector<PathCost> symbolDistances(std::vector<SymbolStep> steps, std::size_t symbols,
+                                      std::size_t goal) {
+  std::sort(steps.begin(), steps.end(),
+            [](const SymbolStep& a, const SymbolStep& b) { return a.to < b.to; });
+  std::vector<PathCost> distance(symbols, kOutOfReach);
+  using Reached = std::pair<PathCost, std::size_t>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
   distance[goal] = 0;
-  for (std::size_t round = 0; round < costs.size(); ++round) {
-    std::size_t nearest = costs.size();
-    for (std::size_t symbol = 0; symbol < costs.size(); ++symbol) {
-      if (done[symbol] || distance[symbol] == kOutOfReach) continue;
-      if (nearest == costs.size() || distance[symbol] < distance[nearest]) nearest = symbol;
-    }
-    if (nearest == costs.size()) break;
-    done[nearest] = true;
-    for (std::size_t symbol = 0; symbol < costs.size(); ++symbol) {
-      if (costs[symbol][nearest] == kOutOfReach) continue;
-      distance[symbol] = std::min(distance[symbol], distance[nearest] + costs[symbol][nearest]);
+  open.push({0, goal});
+  while (!open.empty()) {
+    const auto [cost, symbol] = open.top();
+    open.pop();
+    if (cost > distance[symbol]) continue;
+    auto step = std::lower_bound(
+        steps.begin(), steps.end(), symbol,
+        [](const SymbolStep& entry, std::size_t wanted) { return entry.to < wanted; });
+    for (; step != steps.end() && step->to == symbol; ++step) {
+      if (cost + step->cost >= distance[step->from]) continue;
+      distance[step->from] = cost + step->cost;
+      open.push({distance[step->from], step->from});
     }
   }
   return distance;
 }
 
+/// The changeable concepts that the context leaves open.
+SymbolIndex openConcepts(const GraphTables& graph, const SymbolIndex& context) {
+  ConceptSet open{};
+  for (std::size_t k = 0; k < kNumConcepts; ++k) open[k] = graph.states.has(k) && !context.has(k);
+  return {open, graph.cardinality};
+}
+
 }  // namespace
 
 ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
-                                         const SuccessorFunction& successors)
-    : graph_(graph) {
-  std::array<SymbolCosts, kNumConcepts> costs;
-  for (const Concept which : kConcepts) {
-    if (graph.mutability(which) != Mutability::kChanges) continue;
-    const std::size_t symbols = graph.problem().goal[index(which)].size();
-    costs[index(which)].assign(symbols, std::vector<PathCost>(symbols, kOutOfReach));
-  }
-  const std::size_t states = graph.numStates() / graph.numReadings();
-  std::vector<Successor> next;
-  for (std::size_t i = 0; i < states; ++i) {
-    const StateId state = graph.inReading(static_cast<StateId>(i), graph.readingOf(goal));
-    if (!graph.valid(state)) continue;
-    const Symbols before = graph.symbols(state);
-    successors(state, next);
-    for (const Successor& step : next) {
-      const Symbols after = graph.symbols(step.state);
-      std::size_t changed = 0;
-      for (std::size_t k = 0; k < kNumConcepts; ++k) changed += before[k] != after[k] ? 1 : 0;
-      for (std::size_t k = 0; k < kNumConcepts; ++k) {
-        if (before[k] == after[k]) continue;
-        PathCost& least = costs[k][index(before[k])][index(after[k])];
-        least = std::min(least, step.cost / static_cast<PathCost>(changed));
+                                         const StateSteps& successors)
+    : graph_(graph.tables()) {
+  std::array<std::vector<SymbolStep>, kNumConcepts> projected;
+  const std::size_t reading = graph_.readingOf(goal);
+  const std::size_t first_state = reading * graph_.states.size();
+  for (const StateSteps::ActionSteps& all : successors.ofReading(reading)) {
+    const SymbolIndex open = openConcepts(graph_, all.contexts);
+    for (std::size_t context = 0; context < all.contexts.size(); ++context) {
+      const Symbols in_context = all.contexts.symbols(context, graph_.fixed);
+      for (std::uint32_t i = all.first[context]; i < all.first[context + 1]; ++i) {
+        const StateSteps::Step& step = all.steps[i];
+        const auto target = [&](const Symbols& symbols) {
+          return static_cast<std::size_t>(
+              static_cast<std::ptrdiff_t>(first_state + graph_.states(symbols)) + step.shift);
+        };
+        const auto before = open.find(in_context, [&](const Symbols& symbols) {
+          return graph_.valid[first_state + graph_.states(symbols)] &&
+                 graph_.valid[target(symbols)];
+        });
+        if (!before) continue;
+        const Symbols after = graph_.symbols(static_cast<StateId>(target(*before)));
+        PathCost changed = 0;
+        for (std::size_t k = 0; k < kNumConcepts; ++k) changed += (*before)[k] != after[k] ? 1 : 0;
+        for (std::size_t k = 0; k < kNumConcepts; ++k) {
+          if ((*before)[k] == after[k]) continue;
+          projected[k].push_back({index((*before)[k]), index(after[k]), step.cost / changed});
+        }
       }
     }
   }
-  const Symbols wanted = graph.symbols(goal);
+  const Symbols wanted = graph_.symbols(goal);
   for (std::size_t k = 0; k < kNumConcepts; ++k) {
-    if (!costs[k].empty()) distance_[k] = symbolDistances(costs[k], index(wanted[k]));
+    if (!graph_.states.has(k)) continue;
+    distances_.push_back(
+        {k, symbolDistances(std::move(projected[k]), graph_.cardinality[k], index(wanted[k]))});
   }
-}
-
-PathCost ProjectionHeuristic::operator()(StateId state) const {
-  const Symbols symbols = graph_.symbols(state);
-  PathCost sum = 0;
-  for (std::size_t k = 0; k < kNumConcepts; ++k) {
-    if (distance_[k].empty()) continue;
-    const PathCost distance = distance_[k][index(symbols[k])];
-    if (distance == kOutOfReach) return kOutOfReach;
-    sum += distance;
-  }
-  return sum;
 }
 
 }  // namespace conceptplan

@@ -27,16 +27,30 @@ namespace conceptplan {
 /// costs are shared out as by M. Katz and C. Domshlak, 2010, doi:10.1016/j.artint.2010.04.021.
 class ProjectionHeuristic {
  public:
-  /// Looks once at every valid state of the reading of the other objects that the goal is in.
-  ProjectionHeuristic(const SymbolGraph& graph, StateId goal, const SuccessorFunction& successors);
+  /// Looks, in the reading of the other objects that the goal is in, for one valid state in which
+  /// each step of each context can be taken.
+  ProjectionHeuristic(const SymbolGraph& graph, StateId goal, const StateSteps& successors);
 
   /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.
-  PathCost operator()(StateId state) const;
+  PathCost operator()(StateId state) const {
+    const Symbols symbols = graph_.symbols(state);
+    PathCost sum = 0;
+    for (const ConceptDistance& projected : distances_) {
+      const PathCost distance = projected.to_goal[index(symbols[projected.which])];
+      if (distance == kOutOfReach) return kOutOfReach;
+      sum += distance;
+    }
+    return sum;
+  }
 
  private:
-  const SymbolGraph& graph_;
-  std::array<std::vector<PathCost>, kNumConcepts>
-      distance_;  // [symbols]; empty if it never changes
+  struct ConceptDistance {
+    std::size_t which;
+    std::vector<PathCost> to_goal;  ///< [symbols]
+  };
+
+  const GraphTables& graph_;
+  std::vector<ConceptDistance> distances_;  // of the concepts that change
 };
 
 }  // namespace conceptplan

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "conceptplan/planners/state_path.hpp"
+#include "graph_tables.hpp"
 
 namespace conceptplan {
 
@@ -21,20 +22,55 @@ struct Successor {
 /// Replaces the vector's content by all ways out of the state, in the order of `kActions`.
 using SuccessorFunction = std::function<void(StateId, std::vector<Successor>&)>;
 
+/// A problem over single states, made from a graph by choosing which outcomes of actions a planner
+/// may take and what they cost. Left out: actions whose legality does not exceed the threshold,
+/// outcomes that are invalid, and steps that change nothing. A `SuccessorFunction` whose ways out
+/// are worked out once for all states that agree in what an action depends on. Keeps a reference
+/// to the graph.
+class StateSteps {
+ public:
+  /// A step in all states of one context of its action.
+  struct Step {
+    std::int32_t shift;  ///< from the number of the state to that of the next one
+    PathCost cost;
+  };
+
+  /// The steps of one action.
+  struct ActionSteps {
+    Action action;
+    SymbolIndex contexts;
+    std::vector<std::uint32_t> first;  ///< [contexts + 1], where the steps of each context begin
+    std::vector<Step> steps;
+  };
+
+  /// @param steps adds those of the outcomes of a legal action.
+  using Choice = std::function<void(std::span<const Outcome>, std::vector<Step>& steps)>;
+
+  StateSteps(const SymbolGraph& graph, double legality_threshold, const Choice& choice);
+
+  void operator()(StateId state, std::vector<Successor>& next) const;
+
+  /// All steps of the reading, where they are valid and where they are not.
+  const std::vector<ActionSteps>& ofReading(std::size_t reading) const { return steps_[reading]; }
+
+ private:
+  const GraphTables& graph_;
+  std::vector<std::vector<ActionSteps>> steps_;  // [readings]
+};
+
 /// The problem in which every action has its most probable outcome (single-outcome
-/// determinisation). Left out: actions whose legality does not exceed the threshold, outcomes that
-/// are invalid, and steps that change nothing. Keeps a reference to the graph.
+/// determinisation), at the cost given.
 /// Source: S. Yoon, A. Fern and R. Givan, FF-Replan, ICAPS 2007.
-SuccessorFunction likelySuccessors(const SymbolGraph& graph, double legality_threshold,
-                                   std::function<PathCost(const Transition&)> cost);
+StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
+                            const std::function<PathCost(const Outcome&)>& cost);
 
 /// As above with the cost `-log Pr[outcome] - log(1 - step_discount)`: the cost of a path is the
 /// negative logarithm of its discounted probability.
-SuccessorFunction likelySuccessors(const SymbolGraph& graph, double legality_threshold,
-                                   double step_discount);
+StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
+                            double step_discount);
 
 /// The problem in which the planner may choose among the outcomes of an action; every step costs
 /// one nat. Its distances never exceed those of the problem itself.
-SuccessorFunction anyOutcomeSuccessors(const SymbolGraph& graph, double legality_threshold);
+StateSteps anyOutcomeSuccessors(const SymbolGraph& graph, double legality_threshold);
 
 }  // namespace conceptplan

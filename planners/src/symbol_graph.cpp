@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "belief_check.hpp"
 #include "conceptplan/planners/belief_update.hpp"
-#include "model_tables.hpp"
+#include "graph_tables.hpp"
 #include "scene_readings.hpp"
 
 namespace conceptplan {
@@ -25,90 +26,156 @@ void checkProblem(const SymbolicProblem& problem, const ConceptCardinality& card
   checkBelief(problem.goal, cardinality, "goal");
 }
 
-/// The next states of single actions: products of the outcomes of the single concepts.
-class JointOutcomes {
- public:
-  JointOutcomes(const ModelTables& tables, const std::array<std::size_t, kNumConcepts>& stride)
-      : tables_(tables), stride_(stride) {}
+using ActionsOfReading = std::array<std::shared_ptr<const ActionTables>, kNumActions>;
 
-  /// By falling probability, ties by state; sums to one. Holds until the next call.
-  /// @param first_state state of the reading whose concepts are all 0.
-  const std::vector<Transition>& of(Action action, const Symbols& target, std::size_t first_state) {
-    joint_.assign(1, {static_cast<StateId>(first_state), 1, 0});
-    for (const Concept which : kConcepts) {
-      if (stride_[index(which)] != 0) {
-        extend(tables_.outcomes(action, which, target), stride_[index(which)]);
-      }
+/// What the model says of the actions in each reading; actions that do not depend on the other
+/// objects are shared.
+std::vector<ActionsOfReading> actionTables(const SymbolicModel& model,
+                                           const std::vector<SceneReading>& readings,
+                                           const Symbols& target, const ConceptSet& changeable,
+                                           double min_share) {
+  std::vector<ActionsOfReading> tables(readings.size());
+  for (const Action action : kActions) {
+    const bool is_shared = !dependsOnOthers(model, action);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      tables[i][index(action)] =
+          is_shared && i > 0
+              ? tables.front()[index(action)]
+              : std::make_shared<const ActionTables>(
+                    model, action, Surroundings{model.grounding, target, readings[i].others},
+                    changeable, min_share);
     }
-    double sum = 0;
-    for (const Transition& transition : joint_) sum += transition.probability;
-    for (Transition& transition : joint_) {
-      transition.probability /= sum;
-      transition.cost = -std::log(transition.probability);
+  }
+  return tables;
+}
+
+bool changesHere(const std::vector<ActionsOfReading>& tables, Concept which, double tolerance) {
+  return std::any_of(tables.begin(), tables.end(), [&](const ActionsOfReading& actions) {
+    return std::any_of(actions.begin(), actions.end(),
+                       [&](const auto& action) { return action->changes(which, tolerance); });
+  });
+}
+
+/// Sets which concepts are part of the states.
+void setStates(const std::vector<ActionsOfReading>& tables, const ConceptSet& changeable,
+               double tolerance, GraphTables& graph) {
+  ConceptSet part_of_states{};
+  for (const Concept which : kConcepts) {
+    Mutability& mutability = graph.mutability[index(which)];
+    if (!changeable[index(which)]) {
+      mutability = Mutability::kNeverChanges;
+    } else if (!changesHere(tables, which, tolerance)) {
+      mutability = Mutability::kFrozenHere;
+    } else {
+      mutability = Mutability::kChanges;
+      part_of_states[index(which)] = true;
     }
-    std::sort(joint_.begin(), joint_.end(), [](const Transition& a, const Transition& b) {
-      return a.probability != b.probability ? a.probability > b.probability : a.state < b.state;
+  }
+  graph.states = {part_of_states, graph.cardinality};
+  const std::size_t states = graph.states.size() * tables.size();
+  if (states > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+    throw std::invalid_argument("the problem has " + std::to_string(states) +
+                                " states, more than can be numbered");
+  }
+}
+
+void compileActions(const std::vector<ActionsOfReading>& tables, GraphTables& graph) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    for (std::size_t action = 0; action < kNumActions; ++action) {
+      const bool is_shared = i > 0 && tables[i][action] == tables.front()[action];
+      graph.readings[i].actions[action] =
+          is_shared ? graph.readings.front().actions[action]
+                    : std::make_shared<const CompiledAction>(*tables[i][action], graph.states,
+                                                             graph.cardinality, graph.fixed);
+    }
+  }
+}
+
+/// One check serves all states that agree in the concepts on which validity depends.
+void checkStates(const SymbolicModel& model, const Workbench& workbench,
+                 const StateValidity& validity, const std::vector<SceneReading>& readings,
+                 GraphTables& graph) {
+  ConceptSet checked = validity.dependsOn();
+  for (std::size_t k = 0; k < kNumConcepts; ++k) checked[k] = checked[k] && graph.states.has(k);
+  graph.checked = {checked, graph.cardinality};
+  std::vector<Symbols> targets;
+  targets.reserve(graph.checked.size());
+  graph.checked.forEach(graph.fixed, [&](const Symbols& target) { targets.push_back(target); });
+  graph.valid.reserve(graph.states.size() * readings.size());
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    std::vector<Verdict>& verdicts = graph.readings[i].verdicts;
+    verdicts = validity.checkAll(workbench, model.grounding, targets, readings[i].others);
+    graph.states.forEach(graph.fixed, [&](const Symbols& target) {
+      graph.valid.push_back(verdicts[graph.checked(target)].valid());
     });
-    return joint_;
   }
-
- private:
-  /// Each transition so far with each outcome of one more concept.
-  void extend(const std::vector<SymbolOutcome>& outcomes, std::size_t stride) {
-    extended_.clear();
-    for (const Transition& transition : joint_) {
-      for (const SymbolOutcome& outcome : outcomes) {
-        extended_.push_back(
-            {static_cast<StateId>(index(transition.state) + outcome.symbol * stride),
-             transition.probability * outcome.probability, 0});
-      }
-    }
-    std::swap(joint_, extended_);
-  }
-
-  const ModelTables& tables_;
-  const std::array<std::size_t, kNumConcepts>& stride_;
-  std::vector<Transition> joint_;
-  std::vector<Transition> extended_;
-};
+}
 
 }  // namespace
 
-Symbols SymbolGraph::symbols(StateId state) const {
-  Symbols symbols = frozen_;
-  for (std::size_t k = 0; k < kNumConcepts; ++k) {
-    if (stride_[k] != 0) {
-      symbols[k] = static_cast<SymbolId>(index(state) / stride_[k] % cardinality_[k]);
-    }
-  }
-  return symbols;
+std::size_t SymbolGraph::numStates() const { return tables_->valid.size(); }
+
+Mutability SymbolGraph::mutability(Concept which) const {
+  return tables_->mutability[index(which)];
 }
 
+std::size_t SymbolGraph::validityChecks() const { return tables_->checked.size() * numReadings(); }
+
+Symbols SymbolGraph::symbols(StateId state) const { return tables_->symbols(state); }
+
 StateId SymbolGraph::state(const Symbols& symbols) const {
-  std::size_t packed = 0;
-  for (std::size_t k = 0; k < kNumConcepts; ++k) packed += index(symbols[k]) * stride_[k];
-  return static_cast<StateId>(packed);
+  return static_cast<StateId>(tables_->states(symbols));
+}
+
+std::size_t SymbolGraph::numReadings() const { return tables_->readings.size(); }
+
+std::size_t SymbolGraph::readingOf(StateId state) const { return tables_->readingOf(state); }
+
+double SymbolGraph::readingShare(std::size_t reading) const {
+  return tables_->readings[reading].share;
+}
+
+StateId SymbolGraph::inReading(StateId state, std::size_t reading) const {
+  const std::size_t states = tables_->states.size();
+  return static_cast<StateId>(index(state) % states + reading * states);
 }
 
 SymbolGraph SymbolGraph::between(StateId start, StateId goal) const {
   SymbolGraph graph = *this;
-  graph.problem_.initial.objects[problem_.initial.target] = certain(symbols(start), cardinality_);
-  graph.problem_.goal = certain(symbols(goal), cardinality_);
+  graph.problem_.initial.objects[problem_.initial.target] =
+      certain(symbols(start), tables_->cardinality);
+  graph.problem_.goal = certain(symbols(goal), tables_->cardinality);
   graph.frozen_agreement_ = 1;
   return graph;
 }
 
-std::span<const Transition> SymbolGraph::transitions(StateId state, Action action) const {
-  const std::size_t first = first_transition_[edge(state, action)];
-  return std::span(transitions_).subspan(first, first_transition_[edge(state, action) + 1] - first);
+const Verdict& SymbolGraph::verdict(StateId state) const {
+  return tables_->readings[readingOf(state)].verdicts[tables_->checked(symbols(state))];
+}
+
+bool SymbolGraph::valid(StateId state) const { return tables_->valid[index(state)]; }
+
+double SymbolGraph::legality(StateId state, Action action) const {
+  return StateActions(*this, state).legality(action);
+}
+
+TransitionRange SymbolGraph::transitions(StateId state, Action action) const {
+  return StateActions(*this, state).transitions(action);
 }
 
 std::vector<double> SymbolGraph::stateBelief(const SymbolBelief& belief) const {
-  std::vector<double> states(numStates(), 1);
-  for (std::size_t i = 0; i < states.size(); ++i) {
+  std::vector<double> states;
+  states.reserve(numStates());
+  tables_->states.forEach(tables_->fixed, [&](const Symbols& symbols) {
+    double probability = 1;
     for (std::size_t k = 0; k < kNumConcepts; ++k) {
-      if (stride_[k] != 0) states[i] *= belief[k][i / stride_[k] % cardinality_[k]];
+      if (tables_->states.has(k)) probability *= belief[k][index(symbols[k])];
     }
+    states.push_back(probability);
+  });
+  const auto of_reading = static_cast<std::ptrdiff_t>(states.size());
+  for (std::size_t i = 1; i < numReadings(); ++i) {
+    states.insert(states.end(), states.begin(), states.begin() + of_reading);
   }
   return states;
 }
@@ -119,68 +186,28 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
   if (options.max_readings == 0) throw std::invalid_argument("max_readings is 0, expected >= 1");
   SymbolGraph graph;
   graph.problem_ = problem;
-  graph.cardinality_ = model.cardinality();
-  graph.frozen_ = mostProbable(graph.initialBelief());
-  const std::vector<SceneReading> readings = probableReadings(model, problem.initial, options);
+  const auto tables = std::make_shared<GraphTables>();
+  tables->cardinality = model.cardinality();
+  tables->fixed = mostProbable(graph.initialBelief());
 
-  std::array<bool, kNumConcepts> changeable{};
+  const std::vector<SceneReading> readings = probableReadings(model, problem.initial, options);
+  for (const SceneReading& reading : readings) {
+    tables->readings.push_back({reading.share, {}, {}});
+  }
+  ConceptSet changeable{};
   for (const Concept which : kConcepts) {
     changeable[index(which)] = model.transitions.changes(which, options.frozen_tolerance);
   }
-  std::vector<ModelTables> tables;
-  for (const SceneReading& reading : readings) {
-    graph.reading_shares_.push_back(reading.share);
-    tables.emplace_back(model, Surroundings{model.grounding, graph.frozen_, reading.others},
-                        changeable, options.min_share);
-  }
-  std::size_t states = 1;
-  for (const Concept which : kConcepts) {
-    const std::size_t k = index(which);
-    if (!changeable[k]) {
-      graph.mutability_[k] = Mutability::kNeverChanges;
-    } else if (std::none_of(tables.begin(), tables.end(), [&](const ModelTables& table) {
-                 return table.changes(which, options.frozen_tolerance);
-               })) {
-      graph.mutability_[k] = Mutability::kFrozenHere;
+  const auto actions = actionTables(model, readings, tables->fixed, changeable, options.min_share);
+  setStates(actions, changeable, options.frozen_tolerance, *tables);
+  compileActions(actions, *tables);
+  checkStates(model, problem.initial.workbench, validity, readings, *tables);
+  for (std::size_t k = 0; k < kNumConcepts; ++k) {
+    if (tables->mutability[k] == Mutability::kFrozenHere) {
       graph.frozen_agreement_ *= agreement(graph.initialBelief()[k], problem.goal[k]);
-    } else {
-      graph.mutability_[k] = Mutability::kChanges;
-      graph.stride_[k] = states;
-      states *= graph.cardinality_[k];
     }
   }
-
-  const std::size_t all_states = states * readings.size();
-  graph.verdicts_.reserve(all_states);
-  graph.legality_.reserve(all_states * kNumActions);
-  graph.first_transition_.reserve(all_states * kNumActions + 1);
-  graph.transitions_.reserve(all_states * kNumActions);
-  std::array<bool, kNumConcepts> checked = validity.dependsOn();
-  for (std::size_t k = 0; k < kNumConcepts; ++k) checked[k] = checked[k] && graph.stride_[k] != 0;
-  for (std::size_t reading = 0; reading < readings.size(); ++reading) {
-    // One check serves all states that agree in the concepts on which validity depends.
-    std::vector<Symbols> asked;
-    const SymbolTable<std::size_t> check(checked, graph.cardinality_, graph.frozen_,
-                                         [&](const Symbols& target) {
-                                           asked.push_back(target);
-                                           return asked.size() - 1;
-                                         });
-    const std::vector<Verdict> verdicts = validity.checkAll(
-        problem.initial.workbench, model.grounding, asked, readings[reading].others);
-    graph.validity_checks_ += asked.size();
-    JointOutcomes joint(tables[reading], graph.stride_);
-    for (std::size_t i = 0; i < states; ++i) {
-      const Symbols target = graph.symbols(static_cast<StateId>(i));
-      graph.verdicts_.push_back(verdicts[check[target]]);
-      for (const Action action : kActions) {
-        graph.legality_.push_back(tables[reading].legality(action, target));
-        graph.first_transition_.push_back(graph.transitions_.size());
-        const std::vector<Transition>& next = joint.of(action, target, reading * states);
-        graph.transitions_.insert(graph.transitions_.end(), next.begin(), next.end());
-      }
-    }
-  }
-  graph.first_transition_.push_back(graph.transitions_.size());
+  graph.tables_ = tables;
   return graph;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "path_search.hpp"
 #include "planners/grid_world.hpp"
 #include "planners/random_world.hpp"
@@ -16,17 +18,17 @@ constexpr double kThreshold = 0.01;
 
 /// The least cost between two states, from a search that knows no heuristic.
 PathCost exactDistance(const SymbolGraph& graph, StateId from, StateId goal,
-                       const SuccessorFunction& successors) {
+                       const StateSteps& successors) {
   SearchGuard guard(SearchLimits{});
   SearchStatistics statistics;
-  return (
-      *distancesToGoal(graph.numStates(), from, goal, successors, guard, statistics))[index(from)];
+  return (*distancesToGoal(graph.numStates(), from, goal, std::cref(successors), guard,
+                           statistics))[index(from)];
 }
 
 /// The definitions of an admissible and of a consistent heuristic: h(s) <= h*(s), and
 /// h(s) <= c(s, s') + h(s') for every step.
 void expectAdmissibleAndConsistent(const SymbolGraph& graph) {
-  const SuccessorFunction successors = likelySuccessors(graph, kThreshold, 0.01);
+  const StateSteps successors = likelySuccessors(graph, kThreshold, 0.01);
   const StateId goal = graph.mostProbableGoal();
   const ProjectionHeuristic heuristic(graph, goal, successors);
   EXPECT_EQ(heuristic(goal), 0);

@@ -1,5 +1,6 @@
 #include "conceptplan/domain/model/transition_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -58,8 +59,8 @@ std::vector<double> staying(std::size_t symbol, double probability, std::size_t 
 }
 
 /// The most that a row takes away from the symbol that its context tells, if it tells one.
-double changeOf(const Effect& effect, Concept which, const ConceptCardinality& cardinality,
-                std::size_t joint, const std::vector<double>& row) {
+double changeOfRow(const Effect& effect, Concept which, const ConceptCardinality& cardinality,
+                   std::size_t joint, const std::vector<double>& row) {
   const std::vector<std::size_t> values = splitJointValue(effect.context, cardinality, joint);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ContextFeature& feature = effect.context[i];
@@ -68,6 +69,16 @@ double changeOf(const Effect& effect, Concept which, const ConceptCardinality& c
     }
   }
   return 1;  // the next symbol does not follow from the own one
+}
+
+/// The most of all contexts seen.
+double changeOf(const Effect& effect, Concept which, const ConceptCardinality& cardinality) {
+  if (effect.rows.empty()) return 1 - effect.stays;
+  double most = 0;
+  for (const auto& [joint, row] : effect.rows) {
+    most = std::max(most, changeOfRow(effect, which, cardinality, joint, row));
+  }
+  return most;
 }
 
 }  // namespace
@@ -88,6 +99,8 @@ TransitionModel::TransitionModel(const ConceptCardinality& cardinality, EffectTa
   for (const Action action : kActions) {
     for (const Concept which : kConcepts) {
       checkEffect(effect(action, which), action, which, cardinality_);
+      double& greatest = greatest_change_[index(which)];
+      greatest = std::max(greatest, changeOf(effect(action, which), which, cardinality_));
     }
   }
 }
@@ -116,17 +129,6 @@ bool TransitionModel::isDefined(Action action, const Surroundings& surroundings)
     }
   }
   return true;
-}
-
-bool TransitionModel::changes(Concept which, double tolerance) const {
-  for (const Action action : kActions) {
-    const Effect& rule = effect(action, which);
-    if (rule.rows.empty() && 1 - rule.stays > tolerance) return true;
-    for (const auto& [joint, row] : rule.rows) {
-      if (changeOf(rule, which, cardinality_, joint, row) > tolerance) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace conceptplan

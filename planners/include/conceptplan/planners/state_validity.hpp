@@ -61,6 +61,9 @@ class GridValidity final : public StateValidity {
  public:
   Verdict check(const Workbench& workbench, const SymbolGrounding& grounding, const Symbols& target,
                 std::span<const Symbols> others) const override;
+  std::vector<Verdict> checkAll(const Workbench& workbench, const SymbolGrounding& grounding,
+                                std::span<const Symbols> targets,
+                                std::span<const Symbols> others) const override;
   std::array<bool, kNumConcepts> dependsOn() const override;
 };
 

@@ -2,27 +2,15 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "conceptplan/domain/action.hpp"
 #include "conceptplan/domain/model/symbolic_model.hpp"
 #include "conceptplan/planners/state_validity.hpp"
+#include "conceptplan/planners/transition.hpp"
 
 namespace conceptplan {
-
-/// A state of a SymbolGraph, in [0, numStates).
-enum class StateId : std::int32_t {};
-
-constexpr std::size_t index(StateId state) { return static_cast<std::size_t>(state); }
-
-/// One possible next state.
-struct Transition {
-  StateId state{};
-  double probability = 0;  ///< in (0, 1]
-  double cost = 0;         ///< -log probability
-};
 
 struct CompileOptions {
   /// A concept that every action leaves alone with at least 1 - tolerance is frozen.
@@ -42,9 +30,13 @@ enum class Mutability {
   kNeverChanges  ///< no action of the model changes it
 };
 
+struct GraphTables;
+
 /// One problem compiled for search: the target's symbols of all concepts that actions change,
 /// packed to numbers, with validity, legality and next states tabulated. Immutable; threads may
-/// share it.
+/// share it. Copies share the tables. What an action does is kept once for all states that agree
+/// in what it depends on, so a bench of W x H cells needs a bit a state, a verdict a cell, and
+/// tables of W and of H.
 ///
 /// What is believed of the other objects is part of the state too, though no action changes it:
 /// there is a copy of all states for each probable reading of them, that is of their position, of
@@ -53,10 +45,10 @@ enum class Mutability {
 /// objects, and the target's frozen concepts, count with their most probable symbols.
 class SymbolGraph {
  public:
-  std::size_t numStates() const { return verdicts_.size(); }
+  std::size_t numStates() const;
   const SymbolicProblem& problem() const { return problem_; }
-  Mutability mutability(Concept which) const { return mutability_[index(which)]; }
-  std::size_t validityChecks() const { return validity_checks_; }
+  Mutability mutability(Concept which) const;
+  std::size_t validityChecks() const;
 
   /// All six symbols of the state.
   Symbols symbols(StateId state) const;
@@ -64,14 +56,12 @@ class SymbolGraph {
   StateId state(const Symbols& symbols) const;
 
   /// Readings of the other objects: 0 has the most probable symbols, the rest fall in share.
-  std::size_t numReadings() const { return reading_shares_.size(); }
-  std::size_t readingOf(StateId state) const { return index(state) / statesPerReading(); }
+  std::size_t numReadings() const;
+  std::size_t readingOf(StateId state) const;
   /// Probability of the reading; sums to one.
-  double readingShare(std::size_t reading) const { return reading_shares_[reading]; }
+  double readingShare(std::size_t reading) const;
   /// The state of the same symbols in another reading.
-  StateId inReading(StateId state, std::size_t reading) const {
-    return static_cast<StateId>(index(state) % statesPerReading() + reading * statesPerReading());
-  }
+  StateId inReading(StateId state, std::size_t reading) const;
 
   /// Most probable symbols of start and goal, in reading 0.
   StateId mostProbableStart() const { return state(mostProbable(initialBelief())); }
@@ -82,14 +72,14 @@ class SymbolGraph {
   /// The same graph for another task of the same target, certain of start and goal.
   SymbolGraph between(StateId start, StateId goal) const;
 
-  const Verdict& verdict(StateId state) const { return verdicts_[index(state)]; }
-  bool valid(StateId state) const { return verdict(state).valid(); }
+  const Verdict& verdict(StateId state) const;
+  bool valid(StateId state) const;
 
   /// Pr[a | Omega]; 0 where the action has no effect that is defined.
-  double legality(StateId state, Action action) const { return legality_[edge(state, action)]; }
+  double legality(StateId state, Action action) const;
 
   /// Pr[Omega' | a, Omega] by falling probability, ties by state; sums to one; valid or not.
-  std::span<const Transition> transitions(StateId state, Action action) const;
+  TransitionRange transitions(StateId state, Action action) const;
 
   /// The probability of each state's symbols, [numStates], whatever its reading; frozen concepts
   /// are summed out.
@@ -100,32 +90,22 @@ class SymbolGraph {
   /// they scale all plans alike and reading one of them wrongly must not make a task infeasible.
   double frozenAgreement() const { return frozen_agreement_; }
 
+  /// For the planners of this component, in whose sources they are defined.
+  const GraphTables& tables() const { return *tables_; }
+
  private:
   friend SymbolGraph compile(const SymbolicModel&, const SymbolicProblem&, const StateValidity&,
                              const CompileOptions&);
   SymbolGraph() = default;
-  std::size_t statesPerReading() const { return numStates() / numReadings(); }
-  std::size_t edge(StateId state, Action action) const {
-    return index(state) * kNumActions + index(action);
-  }
 
   SymbolicProblem problem_;
-  Symbols frozen_{};
-  std::array<Mutability, kNumConcepts> mutability_{};
-  std::array<std::size_t, kNumConcepts> stride_{};  // 0 for frozen concepts
-  ConceptCardinality cardinality_{};
-  std::vector<double> reading_shares_;
-  std::vector<Verdict> verdicts_;
-  std::vector<double> legality_;
-  std::vector<std::size_t> first_transition_;
-  std::vector<Transition> transitions_;
-  std::size_t validity_checks_ = 0;
+  std::shared_ptr<const GraphTables> tables_;
   double frozen_agreement_ = 1;
 };
 
 /// @throws std::invalid_argument if the problem does not fit the model: a belief of another
-/// cardinality or not a distribution, or a target that is not among the objects; or if
-/// `max_readings` is 0.
+/// cardinality or not a distribution, or a target that is not among the objects; if
+/// `max_readings` is 0; or if there are more states than a StateId can number.
 SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
                     const StateValidity& validity, const CompileOptions& options = {});
 

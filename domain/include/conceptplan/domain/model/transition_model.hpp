@@ -59,13 +59,16 @@ class TransitionModel {
   bool isDefined(Action action, const Surroundings& surroundings) const;
 
   /// Whether any action changes the concept with more than that probability in any context seen.
-  bool changes(Concept which, double tolerance) const;
+  bool changes(Concept which, double tolerance) const {
+    return greatest_change_[index(which)] > tolerance;
+  }
 
   bool operator==(const TransitionModel&) const = default;
 
  private:
   ConceptCardinality cardinality_;
   EffectTable effects_;
+  std::array<double, kNumConcepts> greatest_change_{};
 };
 
 }  // namespace conceptplan

@@ -1,0 +1,276 @@
+// A* on a workbench of 1,000 x 1,000 cells, 30 % of them taken: ours and Boost.Graph's, with the
+// same heuristic. Items are expansions.
+//
+// Boost.Graph searches two forms of the problem. `boostOverOurGraph` makes its edges by our
+// successor function, as our search does, so that both differ in the search alone;
+// `boostOverItsGraph` has them ready in a compressed_sparse_row_graph, its most compact graph and
+// the fastest to walk. Distances, ranks, predecessors and colours are in arrays, as its users have
+// them for speed; all are allocated in the time measured, as ours are.
+
+#include <benchmark/benchmark.h>
+
+#include <boost/graph/astar_search.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <functional>
+
+#include "benchmarks/counted_memory.hpp"
+#include "conceptplan/planners/planner_registry.hpp"
+#include "path_search.hpp"
+#include "planners/grid_world.hpp"
+#include "planners/obstacle_map.hpp"
+#include "projection_heuristic.hpp"
+
+namespace conceptplan {
+namespace {
+
+constexpr int kSide = 1000;
+constexpr double kObstacleShare = 0.3;
+constexpr double kLegalityThreshold = 0.01;
+constexpr double kStepDiscount = 0.01;
+constexpr std::size_t kLongestPlan = 100'000;
+
+struct LargeBench {
+  testing::GridWorld world = testing::gridWorld(kSide, kSide, 1, 0, 1);
+  testing::ObstacleMap obstacles{kSide, kSide, kObstacleShare, 1};
+  testing::CountedMemory memory;
+  SymbolGraph graph = compile(world.model, world.problem, obstacles);
+  double graph_MB = memory.held_MB();
+  StateId start = graph.mostProbableStart();
+  StateId goal = graph.mostProbableGoal();
+  StateSteps steps = likelySuccessors(graph, kLegalityThreshold, kStepDiscount);
+  ProjectionHeuristic heuristic{graph, goal, steps};
+};
+
+const LargeBench& largeBench() {
+  static const LargeBench bench;
+  return bench;
+}
+
+PlanQuery query() {
+  PlanQuery query;
+  query.top = 1;
+  query.limits = {1e6, 1'000'000'000, kLongestPlan, nullptr};
+  return query;
+}
+
+void report(benchmark::State& state, std::size_t expanded, double peak_MB, double graph_MB,
+            PathCost cost) {
+  state.SetItemsProcessed(static_cast<std::int64_t>(expanded));
+  state.counters["peak_MB"] = peak_MB;
+  state.counters["graph_MB"] = graph_MB;
+  state.counters["path_cost"] = toNats(cost);
+}
+
+/// The search alone, as Boost.Graph's.
+void ourAstar(benchmark::State& state) {
+  const LargeBench& bench = largeBench();
+  SearchStatistics statistics;
+  double peak_MB = 0;
+  PathCost cost = 0;
+  for (auto _ : state) {
+    const testing::CountedMemory memory;
+    SearchGuard guard(query().limits);
+    const auto paths =
+        bestPaths(bench.graph.numStates(), bench.start, bench.goal, std::cref(bench.steps),
+                  std::cref(bench.heuristic), {1, kLongestPlan}, guard, statistics);
+    if (paths.empty()) state.SkipWithError("no path");
+    cost = paths.front().cost;
+    peak_MB = memory.peak_MB();
+  }
+  report(state, statistics.expanded, peak_MB, bench.graph_MB, cost);
+}
+
+/// Heuristic, search, plan and legality trace.
+void ourPlanner(benchmark::State& state) {
+  const SymbolGraph& graph = largeBench().graph;
+  const auto planner = PlannerRegistry::standard().make("astar");
+  std::size_t expanded = 0;
+  double peak_MB = 0;
+  double cost = 0;
+  for (auto _ : state) {
+    const testing::CountedMemory memory;
+    const PlanResult result = planner->solve(graph, query());
+    if (result.status != PlanStatus::kSolved) state.SkipWithError(result.reason.c_str());
+    expanded += result.statistics.expanded;
+    cost = result.plans.front().cost;
+    peak_MB = memory.peak_MB();
+  }
+  report(state, expanded, peak_MB, largeBench().graph_MB, toPathCost(cost));
+}
+
+void compileLargeBench(benchmark::State& state) {
+  const LargeBench& bench = largeBench();
+  double peak_MB = 0;
+  for (auto _ : state) {
+    const testing::CountedMemory memory;
+    benchmark::DoNotOptimize(compile(bench.world.model, bench.world.problem, bench.obstacles));
+    peak_MB = memory.peak_MB();
+  }
+  state.SetItemsProcessed(state.iterations() * kSide * kSide);
+  state.counters["peak_MB"] = peak_MB;
+}
+
+using Vertex = std::uint32_t;
+
+/// Our successor function as an incidence graph of Boost.Graph.
+struct OurGraph {
+  struct Edge {
+    Vertex from;
+    Vertex to;
+    PathCost cost;
+  };
+  struct traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag {};
+  using vertex_descriptor = Vertex;
+  using edge_descriptor = Edge;
+  using directed_category = boost::directed_tag;
+  using edge_parallel_category = boost::allow_parallel_edge_tag;
+  using vertex_iterator = boost::counting_iterator<Vertex>;
+  using vertices_size_type = std::size_t;
+  using out_edge_iterator = std::vector<Edge>::const_iterator;
+  using degree_size_type = std::size_t;
+
+  const LargeBench* bench;
+  mutable std::vector<Successor> next;
+  mutable std::vector<Edge> edges;  ///< of the vertex last asked for, which is all that A* holds
+};
+
+std::pair<OurGraph::vertex_iterator, OurGraph::vertex_iterator> vertices(const OurGraph& graph) {
+  return {OurGraph::vertex_iterator(0),
+          OurGraph::vertex_iterator(static_cast<Vertex>(graph.bench->graph.numStates()))};
+}
+
+std::size_t num_vertices(const OurGraph& graph) { return graph.bench->graph.numStates(); }
+
+std::pair<OurGraph::out_edge_iterator, OurGraph::out_edge_iterator> out_edges(
+    Vertex from, const OurGraph& graph) {
+  graph.bench->steps(static_cast<StateId>(from), graph.next);
+  graph.edges.clear();
+  for (const Successor& step : graph.next) {
+    graph.edges.push_back({from, static_cast<Vertex>(step.state), step.cost});
+  }
+  return {graph.edges.begin(), graph.edges.end()};
+}
+
+std::size_t out_degree(Vertex from, const OurGraph& graph) {
+  const auto [first, last] = out_edges(from, graph);
+  return static_cast<std::size_t>(last - first);
+}
+
+Vertex source(const OurGraph::Edge& edge, const OurGraph&) { return edge.from; }
+Vertex target(const OurGraph::Edge& edge, const OurGraph&) { return edge.to; }
+
+auto weightsOf(const OurGraph&) {
+  return boost::make_function_property_map<OurGraph::Edge>(
+      [](const OurGraph::Edge& edge) { return edge.cost; });
+}
+
+struct EdgeCost {
+  PathCost cost;
+};
+using ItsGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, EdgeCost,
+                                                    boost::no_property, Vertex, Vertex>;
+
+auto weightsOf(const ItsGraph& graph) { return boost::get(&EdgeCost::cost, graph); }
+
+ItsGraph itsGraph() {
+  const LargeBench& bench = largeBench();
+  std::vector<std::pair<Vertex, Vertex>> ends;
+  std::vector<EdgeCost> costs;
+  std::vector<Successor> next;
+  for (Vertex from = 0; from < bench.graph.numStates(); ++from) {
+    if (!bench.graph.valid(static_cast<StateId>(from))) continue;
+    bench.steps(static_cast<StateId>(from), next);
+    for (const Successor& step : next) {
+      ends.emplace_back(from, static_cast<Vertex>(step.state));
+      costs.push_back({step.cost});
+    }
+  }
+  return {boost::edges_are_sorted, ends.begin(), ends.end(), costs.begin(),
+          static_cast<Vertex>(bench.graph.numStates())};
+}
+
+struct Heuristic {
+  using argument_type = Vertex;
+  using result_type = PathCost;
+  PathCost operator()(Vertex vertex) const { return (*ours)(static_cast<StateId>(vertex)); }
+  const ProjectionHeuristic* ours;
+};
+
+struct GoalFound {};
+
+/// Counts expansions; leaves the search at the goal, as Boost.Graph's examples do.
+class ToGoal : public boost::default_astar_visitor {
+ public:
+  ToGoal(Vertex goal, std::size_t& expanded) : goal_(goal), expanded_(&expanded) {}
+
+  template <typename Graph>
+  void examine_vertex(Vertex vertex, const Graph&) {
+    ++*expanded_;
+    if (vertex == goal_) throw GoalFound();
+  }
+
+ private:
+  Vertex goal_;
+  std::size_t* expanded_;
+};
+
+template <typename Graph>
+PathCost boostSearch(const Graph& graph, std::size_t& expanded) {
+  const LargeBench& bench = largeBench();
+  const std::size_t states = bench.graph.numStates();
+  const auto start = static_cast<Vertex>(bench.start);
+  const auto goal = static_cast<Vertex>(bench.goal);
+  const boost::typed_identity_property_map<Vertex> index_map;
+  std::vector<Vertex> predecessors(states);
+  std::vector<PathCost> distances(states);
+  try {
+    boost::astar_search(
+        graph, start, Heuristic{&bench.heuristic},
+        boost::visitor(ToGoal(goal, expanded))
+            .vertex_index_map(index_map)
+            .weight_map(weightsOf(graph))
+            .predecessor_map(boost::make_iterator_property_map(predecessors.begin(), index_map))
+            .distance_map(boost::make_iterator_property_map(distances.begin(), index_map)));
+  } catch (const GoalFound&) {
+    std::vector<Vertex> path{goal};
+    while (path.back() != start) path.push_back(predecessors[path.back()]);
+    benchmark::DoNotOptimize(path);
+    return distances[goal];
+  }
+  return kOutOfReach;
+}
+
+template <typename Graph>
+void boostAstar(benchmark::State& state, const Graph& graph, double graph_MB) {
+  std::size_t expanded = 0;
+  double peak_MB = 0;
+  PathCost cost = 0;
+  for (auto _ : state) {
+    const testing::CountedMemory memory;
+    cost = boostSearch(graph, expanded);
+    if (cost == kOutOfReach) state.SkipWithError("no path");
+    peak_MB = memory.peak_MB();
+  }
+  report(state, expanded, peak_MB, graph_MB, cost);
+}
+
+void boostOverOurGraph(benchmark::State& state) {
+  boostAstar(state, OurGraph{&largeBench(), {}, {}}, largeBench().graph_MB);
+}
+
+void boostOverItsGraph(benchmark::State& state) {
+  const testing::CountedMemory memory;
+  const ItsGraph graph = itsGraph();
+  boostAstar(state, graph, memory.held_MB());
+}
+
+BENCHMARK(compileLargeBench)->Unit(benchmark::kMillisecond);
+BENCHMARK(ourAstar)->Unit(benchmark::kMillisecond);
+BENCHMARK(ourPlanner)->Unit(benchmark::kMillisecond);
+BENCHMARK(boostOverOurGraph)->Unit(benchmark::kMillisecond);
+BENCHMARK(boostOverItsGraph)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace conceptplan

@@ -1,0 +1,139 @@
+#include "best_path.hpp"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <map>
+
+#include "planners/grid_world.hpp"
+#include "planners/obstacle_map.hpp"
+#include "planners/random_world.hpp"
+#include "projection_heuristic.hpp"
+
+namespace conceptplan {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr double kThreshold = 0.01;
+constexpr std::size_t kFar = 1000;
+
+PathCost noGuidance(StateId) { return 0; }
+
+/// A graph written as its edges.
+SuccessorFunction edges(std::multimap<int, Successor> by_start) {
+  return [by_start](StateId state, std::vector<Successor>& next) {
+    next.clear();
+    const auto [first, last] = by_start.equal_range(static_cast<int>(state));
+    for (auto edge = first; edge != last; ++edge) next.push_back(edge->second);
+  };
+}
+
+std::optional<std::vector<StatePath>> search(const SuccessorFunction& successors, int states,
+                                             std::size_t horizon = kFar) {
+  SearchGuard guard(SearchLimits{});
+  SearchStatistics statistics;
+  return bestPath(static_cast<std::size_t>(states), StateId{0}, StateId{states - 1}, successors,
+                  noGuidance, horizon, guard, statistics);
+}
+
+/// The first of several best paths, which are found without `bestPath`.
+std::vector<StatePath> firstOfSeveral(const SymbolGraph& graph, const StateSteps& steps,
+                                      const PathHeuristic& heuristic) {
+  SearchLimits limits;
+  limits.max_expansions = 1'000'000;
+  SearchGuard guard(limits);
+  SearchStatistics statistics;
+  std::vector<StatePath> paths =
+      bestPaths(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(),
+                std::cref(steps), heuristic, {2, kFar}, guard, statistics);
+  if (paths.size() > 1) paths.resize(1);
+  return paths;
+}
+
+void expectTheSamePath(const SymbolGraph& graph) {
+  const StateSteps steps = likelySuccessors(graph, kThreshold, 0.01);
+  const ProjectionHeuristic projection(graph, graph.mostProbableGoal(), steps);
+  for (const PathHeuristic& heuristic : {PathHeuristic(noGuidance), PathHeuristic(projection)}) {
+    SearchLimits limits;
+    limits.max_expansions = 1'000'000;
+    SearchGuard guard(limits);
+    SearchStatistics statistics;
+    const auto found =
+        bestPath(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(),
+                 std::cref(steps), heuristic, kFar, guard, statistics);
+    const std::vector<StatePath> expected = firstOfSeveral(graph, steps, heuristic);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), expected.size());
+    if (expected.empty()) continue;
+    EXPECT_EQ(found->front().cost, expected.front().cost);
+    EXPECT_EQ(found->front().actions, expected.front().actions);
+    EXPECT_EQ(found->front().states, expected.front().states);
+  }
+}
+
+TEST(BestPath, IsTheFirstOfTheBestPathsOnRandomWorlds) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    expectTheSamePath(testing::randomWorld(seed));
+  }
+}
+
+TEST(BestPath, IsTheFirstOfTheBestPathsAmongObstacles) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const testing::GridWorld world = testing::gridWorld(40, 30, 1, 0, seed);
+    expectTheSamePath(compile(world.model, world.problem, testing::ObstacleMap(40, 30, 0.3, seed)));
+  }
+}
+
+TEST(BestPath, TiesGoToTheShorterPathEvenAmongStepsThatCostNothing) {
+  const auto paths = search(edges({{0, {Action::kMoveLeft, StateId{1}, 0}},
+                                   {1, {Action::kMoveLeft, StateId{2}, 0}},
+                                   {2, {Action::kMoveLeft, StateId{3}, 5}},
+                                   {0, {Action::kMoveRight, StateId{2}, 5}},
+                                   {2, {Action::kMoveRight, StateId{3}, 5}},
+                                   {0, {Action::kMoveBack, StateId{3}, 5}}}),
+                            4);
+  ASSERT_TRUE(paths);
+  ASSERT_EQ(paths->size(), 1u);
+  EXPECT_THAT(paths->front().actions, ElementsAre(Action::kMoveBack));
+}
+
+TEST(BestPath, OfParallelStepsTheCheapestIsTaken) {
+  const auto paths = search(
+      edges({{0, {Action::kMoveLeft, StateId{1}, 7}}, {0, {Action::kMoveRight, StateId{1}, 3}}}),
+      2);
+  ASSERT_TRUE(paths);
+  EXPECT_EQ(paths->front().cost, 3);
+  EXPECT_THAT(paths->front().actions, ElementsAre(Action::kMoveRight));
+}
+
+TEST(BestPath, FindsThatThereIsNone) {
+  const auto paths = search(edges({{0, {Action::kMoveLeft, StateId{1}, 1}}}), 3);
+  ASSERT_TRUE(paths);
+  EXPECT_THAT(*paths, IsEmpty());
+}
+
+TEST(BestPath, CannotTellWhereTheHorizonMayHideAShorterWayThatCostsMore) {
+  const SuccessorFunction successors = edges({{0, {Action::kMoveLeft, StateId{1}, 1}},
+                                              {1, {Action::kMoveLeft, StateId{2}, 1}},
+                                              {0, {Action::kMoveRight, StateId{2}, 9}},
+                                              {2, {Action::kMoveLeft, StateId{3}, 1}}});
+  EXPECT_FALSE(search(successors, 4, 2));
+  EXPECT_TRUE(search(successors, 4, 3));
+  SearchGuard guard(SearchLimits{});
+  SearchStatistics statistics;
+  const auto paths =
+      bestPaths(4, StateId{0}, StateId{3}, successors, noGuidance, {1, 2}, guard, statistics);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_THAT(paths.front().actions, ElementsAre(Action::kMoveRight, Action::kMoveLeft));
+}
+
+TEST(BestPath, CannotTellOfCostsBeyondWhatALabelHolds) {
+  EXPECT_FALSE(search(edges({{0, {Action::kMoveLeft, StateId{1}, 20'000 * kNat}}}), 2));
+}
+
+}  // namespace
+}  // namespace conceptplan
