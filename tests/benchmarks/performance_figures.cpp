@@ -1,11 +1,12 @@
-// Reads what `planning_benchmark --benchmark_out=FILE` wrote, draws how costs grow, and prints the
-// figures and ratios of docs/performance.md as Markdown.
+// Reads what `planning_benchmark --benchmark_out=RESULTS.json` wrote, draws how costs grow, and
+// writes the tables of docs/performance.md.
 //
-// performance_figures FILE.json FIGURE.svg
+// performance_figures RESULTS.json DOCS
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -72,7 +73,8 @@ class Results {
     std::vector<std::pair<double, Measured>> points;
     for (const auto& [full, measured] : measured_) {
       if (!full.starts_with(name + "/")) continue;
-      points.emplace_back(std::stod(full.substr(name.size() + 1)), measured);
+      // Arguments may have names: "targets:2".
+      points.emplace_back(std::stod(full.substr(full.find_last_of("/:") + 1)), measured);
     }
     std::sort(points.begin(), points.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -115,7 +117,12 @@ const std::vector<Chart>& charts() {
         {"astarByObstacles", "astar"}}},
       {"Plans asked for",
        "k; level 4, compiled with FCL and solved",
-       {{"solveLevelFour/kbest", "kbest"}, {"solveLevelFour/astar", "astar"}}}};
+       {{"solveLevelFour/kbest", "kbest"}, {"solveLevelFour/astar", "astar"}}},
+      {"Targets",
+       "targets in one task; joint A*, a tenth of the cells taken",
+       {{"drawnBenches/side:4", "4 x 4 cells"},
+        {"drawnBenches/side:8", "8 x 8 cells"},
+        {"drawnBenches/side:16", "16 x 16 cells"}}}};
   return all;
 }
 
@@ -203,10 +210,10 @@ void drawChart(const Chart& chart, const Results& results, Point corner, SvgDraw
 }
 
 std::string drawn(const Results& results) {
-  SvgDrawing drawing(2 * kWidth, 2 * kHeight, "Cost of planning",
+  SvgDrawing drawing(2 * kWidth, 3 * kHeight, "Cost of planning",
                      "Milliseconds of compiling and of searching against the size of the "
-                     "workbench, the values of a concept, the obstacles and the plans asked for, "
-                     "on logarithmic axes.");
+                     "workbench, the values of a concept, the obstacles, the plans asked for and "
+                     "the targets, on logarithmic axes.");
   for (std::size_t i = 0; i < charts().size(); ++i) {
     drawChart(charts()[i], results,
               {kWidth * static_cast<double>(i % 2), kHeight * static_cast<double>(i / 2)}, drawing);
@@ -219,78 +226,118 @@ std::string figure(double value) {
   return decimal(value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
 }
 
-void printCurves(const Results& results) {
+std::string curveTables(const Results& results) {
+  std::string text;
   for (const Chart& chart : charts()) {
     std::map<double, std::map<std::string, double>> rows;
-    std::cout << "\n" << chart.title << ", milliseconds\n\n| " << chart.x_label << " |";
+    std::string head = "| " + chart.x_label + " |";
+    std::string rule = "|---|";
     for (const Curve& curve : chart.curves) {
-      std::cout << " " << curve.label << " |";
+      head += " " + curve.label + " |";
+      rule += "---|";
       for (const auto& [x, measured] : results.curve(curve.benchmark)) {
         rows[x][curve.label] = measured.milliseconds;
       }
     }
-    std::cout << "\n|---|";
-    for (std::size_t i = 0; i < chart.curves.size(); ++i) std::cout << "---|";
+    text += "\n### " + chart.title + ", milliseconds\n\n" + head + "\n" + rule + "\n";
     for (const auto& [x, row] : rows) {
-      std::cout << "\n| " << decimal(x, 0) << " |";
+      text += "| " + decimal(x, 0) + " |";
       for (const Curve& curve : chart.curves) {
         const auto cell = row.find(curve.label);
-        std::cout << " " << (cell == row.end() ? "" : figure(cell->second)) << " |";
+        text += " " + (cell == row.end() ? "" : figure(cell->second)) + " |";
       }
+      text += "\n";
     }
-    std::cout << "\n";
   }
+  return text;
 }
 
-void printRatios(const Results& results) {
-  std::cout << "\n| level 4 | scenarios a second |\n|---|---|\n";
-  for (const char* name :
-       {"compileLevelFour/grid", "compileLevelFour/fcl", "solveLevelFour/kbest/5",
-        "solveLevelFour/astar/5", "solveLevelFour/dijkstra/5", "solveLevelFour/belief/5"}) {
-    std::cout << "| " << name << " | " << decimal(results[name].items_per_second, 0) << " |\n";
+struct Row {
+  const char* benchmark;
+  const char* label;
+};
+
+std::string scenarioTable(const Results& results) {
+  constexpr Row kRows[] = {{"compileLevelFour/grid", "compile, validity of cells alone"},
+                           {"compileLevelFour/fcl", "compile, validity by FCL"},
+                           {"solveLevelFour/kbest/5", "compile with FCL, exact top 5 by `kbest`"},
+                           {"solveLevelFour/astar/5", "the same by `astar`"},
+                           {"solveLevelFour/dijkstra/5", "the same by `dijkstra`"},
+                           {"solveLevelFour/belief/5", "compile with FCL, top 5 by `belief`"}};
+  std::string text = "\n### Level-4 scenarios\n\n| | scenarios a second |\n|---|---|\n";
+  for (const Row& row : kRows) {
+    text += std::string("| ") + row.label + " | " +
+            decimal(results[row.benchmark].items_per_second, 0) + " |\n";
   }
-  std::cout << "\n| A* | expansions a second | peak MB | graph MB | path cost |\n"
-               "|---|---|---|---|---|\n";
+  return text;
+}
+
+std::string astarTable(const Results& results) {
+  constexpr Row kRows[] = {
+      {"ourAstar", "ours, the search alone"},
+      {"ourPlanner", "ours, the planner `astar`: with heuristic, plan and trace"},
+      {"boostOverOurGraph", "Boost.Graph over our successor function"},
+      {"boostOverItsGraph", "Boost.Graph over its compressed_sparse_row_graph"}};
+  std::string text =
+      "\n### A* on 1,000 x 1,000 cells\n\n| | expansions a second | memory of the search, MB | of "
+      "the graph, MB | cost of the path | ours is faster | ours needs of its memory |\n"
+      "|---|---|---|---|---|---|---|\n";
   const Measured& ours = results["ourAstar"];
-  for (const char* name : {"ourAstar", "ourPlanner", "boostOverOurGraph", "boostOverItsGraph"}) {
-    const Measured& measured = results[name];
-    std::cout << "| " << name << " | " << decimal(measured.items_per_second, 0) << " | "
-              << decimal(measured.counters.at("peak_MB"), 1) << " | "
-              << decimal(measured.counters.at("graph_MB"), 1) << " | "
-              << decimal(measured.counters.at("path_cost"), 6) << " |\n";
+  for (const Row& row : kRows) {
+    const Measured& measured = results[row.benchmark];
+    text += std::string("| ") + row.label + " | " + decimal(measured.items_per_second, 0) + " | " +
+            decimal(measured.counters.at("peak_MB"), 1) + " | " +
+            decimal(measured.counters.at("graph_MB"), 1) + " | " +
+            decimal(measured.counters.at("path_cost"), 6) + " | " +
+            figure(ours.items_per_second / measured.items_per_second) + " times | " +
+            decimal(100 * ours.counters.at("peak_MB") / measured.counters.at("peak_MB"), 0) +
+            " % |\n";
   }
-  for (const char* name : {"boostOverOurGraph", "boostOverItsGraph"}) {
-    const Measured& boost = results[name];
-    std::cout << "\nourAstar to " << name << ": "
-              << figure(ours.items_per_second / boost.items_per_second) << " times the expansions, "
-              << figure(ours.counters.at("peak_MB") / boost.counters.at("peak_MB"))
-              << " of the memory\n";
-  }
+  return text;
+}
+
+std::string valueIterationTable(const Results& results) {
+  constexpr Row kRows[] = {{"sparseMatrixSweeps", "sparse matrices of Eigen, sweeps alone"},
+                           {"ourValueIteration", "ours, from the graph to the values"},
+                           {"ourValueIterationPlanner", "ours, the planner `value-iteration`"}};
+  std::string text =
+      "\n### Value iteration\n\n| | milliseconds | ours is faster |\n|---|---|---|\n";
   const Measured& sweeps = results["sparseMatrixSweeps"];
-  for (const char* name : {"ourValueIteration", "ourValueIterationPlanner"}) {
-    std::cout << "\n"
-              << name << ": " << figure(results[name].milliseconds) << " ms, sparse matrices "
-              << figure(sweeps.milliseconds) << " ms in "
-              << decimal(sweeps.counters.at("sweeps"), 0) << " sweeps, ratio "
-              << figure(sweeps.milliseconds / results[name].milliseconds) << "\n";
+  for (const Row& row : kRows) {
+    const double milliseconds = results[row.benchmark].milliseconds;
+    text += std::string("| ") + row.label + " | " + figure(milliseconds) + " | " +
+            figure(sweeps.milliseconds / milliseconds) + " times |\n";
   }
-  std::cout << "\nlargest difference of a value: "
-            << results["ourValueIteration"].counters.at("difference") << "\n";
+  const double billionths = 1e9 * results["ourValueIteration"].counters.at("difference");
+  return text + "\nEigen's took " + decimal(sweeps.counters.at("sweeps"), 0) +
+         " sweeps. The values differ by at most " + decimal(billionths, 1) + " billionths.\n";
+}
+
+/// The page up to and with the line behind which figures stand.
+std::string textBefore(const std::string& page) {
+  const std::string marker = "<!-- written by performance_figures from here on -->\n";
+  const std::size_t at = page.find(marker);
+  if (at == std::string::npos) throw std::runtime_error("the page has no line " + marker);
+  return page.substr(0, at + marker.size());
 }
 
 }  // namespace
 }  // namespace conceptplan
 
 int main(int count, char** arguments) {
+  using namespace conceptplan;
   if (count != 3) {
-    std::cerr << "usage: performance_figures FILE.json FIGURE.svg\n";
+    std::cerr << "usage: performance_figures RESULTS.json DOCS\n";
     return 2;
   }
   try {
-    const conceptplan::Results results(arguments[1]);
-    conceptplan::writeFileAtomically(arguments[2], conceptplan::drawn(results));
-    conceptplan::printRatios(results);
-    conceptplan::printCurves(results);
+    const Results results(arguments[1]);
+    const std::filesystem::path docs(arguments[2]);
+    writeFileAtomically(docs / "images" / "performance.svg", drawn(results));
+    const std::filesystem::path page = docs / "performance.md";
+    writeFileAtomically(page, textBefore(readFile(page)) + scenarioTable(results) +
+                                  astarTable(results) + valueIterationTable(results) +
+                                  curveTables(results));
   } catch (const std::exception& error) {
     std::cerr << "performance_figures: " << error.what() << "\n";
     return EXIT_FAILURE;
