@@ -120,6 +120,7 @@ struct OurGraph {
     Vertex from;
     Vertex to;
     PathCost cost;
+    bool operator==(const Edge&) const = default;
   };
   struct traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag {};
   using vertex_descriptor = Vertex;
