@@ -85,7 +85,7 @@ void addOmplPlanners(PlannerRegistry& registry) {
        "A. M. Ladd and L. E. Kavraki, Motion planning in the presence of drift, underactuation and "
        "discrete system changes, 2005, doi:10.15607/RSS.2005.I.031."},
       {OmplAlgorithm::kSyclopRrt, "ompl-syclop-rrt",
-       "A tree led by searches over the two concepts with the most symbols (OMPL).",
+       "A tree led by searches over regions of the concepts with the most symbols (OMPL).",
        "E. Plaku, L. E. Kavraki and M. Y. Vardi, Motion planning with dynamics by a synergistic "
        "combination of layers of planning, 2010, doi:10.1109/TRO.2010.2047820.",
        false, true}};

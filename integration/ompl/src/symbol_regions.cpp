@@ -7,14 +7,19 @@
 namespace conceptplan {
 namespace {
 
-constexpr std::size_t kMostAxes = 2;
+/// Syclop leads along paths of regions, whose search must stay a small part of the work.
+constexpr std::size_t kMostRegions = 400;
 
 std::vector<Concept> longestAxes(const SymbolStateSpace& states) {
   std::vector<Concept> axes = states.axes();
   std::stable_sort(axes.begin(), axes.end(), [&](Concept a, Concept b) {
     return states.numSymbols(a) > states.numSymbols(b);
   });
-  axes.resize(std::min(axes.size(), kMostAxes));
+  std::size_t regions = 1, chosen = 0;
+  while (chosen < axes.size() &&
+         (chosen < 1 || regions * states.numSymbols(axes[chosen]) <= kMostRegions))
+    regions *= states.numSymbols(axes[chosen++]);
+  axes.resize(chosen);
   return axes;
 }
 

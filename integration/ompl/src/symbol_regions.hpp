@@ -9,9 +9,9 @@
 
 namespace conceptplan {
 
-/// The regions through which Syclop leads its search: states that agree in the two concepts with
-/// the most symbols. Regions are neighbours where an action most probably leads from one to the
-/// other.
+/// The regions through which Syclop leads its search: states that agree in the concepts with the
+/// most symbols, as many of these as make no more than 400 regions. Regions are neighbours where an
+/// action most probably leads from one to the other.
 class SymbolRegions final : public ompl::control::Decomposition {
  public:
   explicit SymbolRegions(std::shared_ptr<const SymbolStateSpace> states);
