@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
@@ -64,6 +66,10 @@ Tokens VisualTransition::apply(const Tokens& tokens, const Tokens& context, Acti
 RgbdImage VisualTransition::synthesize(const Background& background, std::uint8_t instance,
                                        const DrawnObject& object) const {
   RgbdImage image = background.image;
+  if (instance == 0 ||
+      std::find(image.mask.begin(), image.mask.end(), instance) != image.mask.end())
+    throw std::invalid_argument("synthesize: instance " + std::to_string(instance) +
+                                " is no object or stands in the picture");
   const auto old_place = middleOf(background.hole, image.width);
   const DrawnObject seen = hiddenBehind(object, objectsDepth_mm(image), image.width);
   const WindowCorner crop = cropCorner(seen);

@@ -116,6 +116,8 @@ TEST(VisualTransition, Eq7KeepsTokenLengthAndSynthesizesOnlyNearTheObject) {
   EXPECT_EQ(rgb[0], 160);
   EXPECT_EQ(rgb[3 * (200 * kFrameWidth + 370)], 160);
   EXPECT_NE(rgb, background.image.rgb);
+  EXPECT_THROW(transition.synthesize(background, 0, object), std::invalid_argument);
+  EXPECT_THROW(transition.synthesize({image, background.hole}, 1, object), std::invalid_argument);
 }
 
 }  // namespace

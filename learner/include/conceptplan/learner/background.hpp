@@ -9,12 +9,10 @@ namespace conceptplan {
 
 /// A frame without one of its objects.
 struct Background {
-  RgbdImage image;                 ///< floor and depth continued into the hole; not in the mask
-  std::vector<std::uint8_t> hole;  ///< [height, width], 1 where the object hid the floor
+  RgbdImage image;  ///< floor and depth continued into the hole; not in the mask
+  /// [height, width], 1 where the object was and up to 13 pixels from it, but for other objects.
+  std::vector<std::uint8_t> hole;
 };
-
-/// 1 where an instance is, grown by ten pixels, except on other instances: [height, width].
-std::vector<std::uint8_t> holeOf(const RgbdImage& image, std::uint8_t instance);
 
 /// The frame with a piece of the same floor in place of an instance: the piece, moved along the
 /// plane of the floor, whose surroundings look most like the hole's. It is added to what differs
