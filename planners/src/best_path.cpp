@@ -1,8 +1,10 @@
 #include "best_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "radix_queue.hpp"
 
@@ -25,35 +27,49 @@ PathCost costOf(Label label) { return static_cast<PathCost>(label >> kLengthBits
 
 std::size_t lengthOf(Label label) { return label & kLongest; }
 
-/// The best way found to each state.
+/// The best way found to each state. States near each other share a page, which is made when the
+/// search first comes there.
 class Labels {
  public:
-  explicit Labels(std::size_t num_states) : labels_(num_states, kUnreached), parents_(num_states) {}
+  explicit Labels(std::size_t num_states) : pages_(num_states / kPageStates + 1) {}
 
-  Label operator[](StateId state) const { return labels_[index(state)]; }
-
-  void set(StateId state, Label label, StateId parent) {
-    labels_[index(state)] = label;
-    parents_[index(state)] = static_cast<std::uint32_t>(parent);
+  Label operator[](StateId state) const {
+    const auto& page = pages_[index(state) / kPageStates];
+    return page ? page->labels[index(state) % kPageStates] : kUnreached;
   }
 
-  /// False if it was closed before.
+  void set(StateId state, Label label, StateId parent) {
+    auto& page = pages_[index(state) / kPageStates];
+    if (!page) page = std::make_unique<Page>();
+    page->labels[index(state) % kPageStates] = label;
+    page->parents[index(state) % kPageStates] = static_cast<std::uint32_t>(parent);
+  }
+
+  /// False if it was closed before. @pre it has a label
   bool close(StateId state) {
-    std::uint32_t& parent = parents_[index(state)];
+    std::uint32_t& parent = pages_[index(state) / kPageStates]->parents[index(state) % kPageStates];
     if ((parent & kClosed) != 0) return false;
     parent |= kClosed;
     return true;
   }
 
   StateId parent(StateId state) const {
-    return static_cast<StateId>(parents_[index(state)] & ~kClosed);
+    const auto& page = pages_[index(state) / kPageStates];
+    return static_cast<StateId>(page->parents[index(state) % kPageStates] & ~kClosed);
   }
 
  private:
   static constexpr std::uint32_t kClosed = std::uint32_t{1} << 31;  // no state has that number
+  static constexpr std::size_t kPageStates = 64;
 
-  std::vector<Label> labels_;
-  std::vector<std::uint32_t> parents_;
+  struct Page {
+    Page() { labels.fill(kUnreached); }
+
+    std::array<Label, kPageStates> labels;
+    std::array<std::uint32_t, kPageStates> parents;  // of states that have a label
+  };
+
+  std::vector<std::unique_ptr<Page>> pages_;
 };
 
 StatePath pathTo(StateId goal, const Labels& labels, const SuccessorFunction& successors) {

@@ -8,8 +8,8 @@
 namespace conceptplan {
 
 /// The one best path as `bestPaths` orders paths, in a list of one, or an empty list if there is no
-/// path or a limit strikes. Each state has one label and is expanded once, in 12 bytes a state and
-/// 16 for each state that waits.
+/// path or a limit strikes. Each state where the search comes has one label of 12 bytes and is
+/// expanded once.
 ///
 /// Nothing if one label a state cannot tell: a state was as far from the start as the horizon
 /// before the goal was found, so that a longer way to some state may have hidden a shorter one that

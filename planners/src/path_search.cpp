@@ -107,9 +107,11 @@ std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId 
                                  const PathHeuristic& heuristic, const PathSearchOptions& options,
                                  SearchGuard& guard, SearchStatistics& statistics) {
   if (options.top == 1 && !options.greedy) {
+    const SearchStatistics before = statistics;
     const auto best = bestPath(num_states, start, goal, successors, heuristic, options.horizon,
                                guard, statistics);
     if (best) return *best;
+    statistics = before;  // the other search has all the expansions that were allowed
   }
   std::vector<StatePath> found;
   PathTree tree(start);

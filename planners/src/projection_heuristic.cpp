@@ -67,8 +67,7 @@ ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
               static_cast<std::ptrdiff_t>(first_state + graph_.states(symbols)) + step.shift);
         };
         const auto before = open.find(in_context, [&](const Symbols& symbols) {
-          return graph_.valid[first_state + graph_.states(symbols)] &&
-                 graph_.valid[target(symbols)];
+          return bool(graph_.valid[target(symbols)]);
         });
         if (!before) continue;
         const Symbols after = graph_.symbols(static_cast<StateId>(target(*before)));

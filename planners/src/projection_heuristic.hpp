@@ -27,8 +27,8 @@ namespace conceptplan {
 /// costs are shared out as by M. Katz and C. Domshlak, 2010, doi:10.1016/j.artint.2010.04.021.
 class ProjectionHeuristic {
  public:
-  /// Looks, in the reading of the other objects that the goal is in, for one valid state in which
-  /// each step of each context can be taken.
+  /// Looks, in the reading of the other objects that the goal is in, for one state from which each
+  /// step of each context leads to a valid one. It need not be valid itself: a start is not always.
   ProjectionHeuristic(const SymbolGraph& graph, StateId goal, const StateSteps& successors);
 
   /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.

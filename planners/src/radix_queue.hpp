@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -21,6 +22,7 @@ class RadixQueue {
 
   /// @pre the key is not less than the last one taken.
   void push(std::uint64_t key, const Value& value) {
+    assert(key >= last_);
     add({key, value});
     ++size_;
   }

@@ -1,9 +1,12 @@
-// Solves level-4 tasks with every planner of OMPL and prints how many it solves within a second of
-// processor time, how fast and how well: ompl_success [TASKS].
+// Solves level-4 tasks from true symbols with every planner, or those named, and prints how many it
+// solves within a second of processor time, how fast and how well:
+// planner_success [TASKS [PLANNER...]].
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <set>
+#include <string>
 
 #include "conceptplan/domain/simulation/judgement.hpp"
 #include "conceptplan/ompl/ompl_planner.hpp"
@@ -16,11 +19,13 @@ int main(int argc, char** argv) {
   PlanQuery query;
   query.top = 1;
   query.limits.timeout_s = 600;  // others may keep the processor busy
-  PlannerRegistry registry;
+  const std::set<std::string> wanted(argv + std::min(argc, 2), argv + argc);
+  PlannerRegistry registry = PlannerRegistry::standard();
   addOmplPlanners(registry);
   std::printf("%-16s %9s %9s %9s %9s %9s %9s\n", "planner", "solved %", "median ms", "99 % ms",
               "max ms", "steps", "ASE");
   for (const PlannerEntry& entry : registry.entries()) {
+    if (!wanted.empty() && !wanted.contains(entry.name)) continue;
     const std::unique_ptr<Planner> planner = registry.make(entry.name);
     std::vector<double> times_ms;
     std::size_t expanded = 0;

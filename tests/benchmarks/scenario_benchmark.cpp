@@ -32,31 +32,34 @@ const std::vector<SymbolicProblem>& levelFourProblems() {
   return problems;
 }
 
-const SymbolicProblem& problemOf(std::size_t iteration) {
-  return levelFourProblems()[iteration % levelFourProblems().size()];
+/// All of them in each iteration.
+template <typename Solve>
+void eachLevelFour(benchmark::State& state, Solve solve) {
+  const SymbolicModel& model = testing::learnedModel();
+  const auto& problems = levelFourProblems();
+  for (auto _ : state)
+    for (const SymbolicProblem& problem : problems) solve(model, problem);
+  state.counters["problems"] = static_cast<double>(problems.size());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(problems.size()));
 }
 
-/// Compiles a level-4 scenario.
+/// Compiles level-4 scenarios.
 void compileLevelFour(benchmark::State& state, const StateValidity& validity) {
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(compile(testing::learnedModel(), problemOf(i++), validity));
-  }
-  state.SetItemsProcessed(state.iterations());
+  eachLevelFour(state, [&](const SymbolicModel& model, const SymbolicProblem& problem) {
+    benchmark::DoNotOptimize(compile(model, problem, validity));
+  });
 }
 
-/// Compiles a level-4 scenario with FCL and finds its best plans.
+/// Compiles level-4 scenarios with FCL and finds their best plans.
 void solveLevelFour(benchmark::State& state, const char* name) {
   const auto planner = PlannerRegistry::standard().make(name);
   const FclValidity validity;
   PlanQuery query;
   query.top = static_cast<std::size_t>(state.range(0));
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const SymbolGraph graph = compile(testing::learnedModel(), problemOf(i++), validity);
-    benchmark::DoNotOptimize(planner->solve(graph, query));
-  }
-  state.SetItemsProcessed(state.iterations());
+  eachLevelFour(state, [&](const SymbolicModel& model, const SymbolicProblem& problem) {
+    const PlanResult result = planner->solve(compile(model, problem, validity), query);
+    if (result.status != PlanStatus::kSolved) state.SkipWithError(result.reason.c_str());
+  });
 }
 
 PlanQuery onePlan() {
@@ -97,7 +100,10 @@ void searchBench(benchmark::State& state, const Bench& bench, const char* name) 
   for (auto _ : state) {
     const testing::CountedMemory memory;
     const PlanResult result = planner->solve(graph, onePlan());
-    if (result.status != PlanStatus::kSolved) state.SkipWithError(result.reason.c_str());
+    if (result.status != PlanStatus::kSolved) {
+      state.SkipWithError(result.reason.c_str());
+      break;
+    }
     expanded += result.statistics.expanded;
     peak_MB = memory.peak_MB();
   }
@@ -146,7 +152,10 @@ void astarByObstacles(benchmark::State& state) {
   const auto planner = PlannerRegistry::standard().make("astar");
   for (auto _ : state) {
     const PlanResult result = planner->solve(graph, onePlan());
-    if (result.status != PlanStatus::kSolved) state.SkipWithError(result.reason.c_str());
+    if (result.status != PlanStatus::kSolved) {
+      state.SkipWithError(result.reason.c_str());
+      break;
+    }
   }
 }
 

@@ -88,6 +88,16 @@ TEST(BestPath, IsTheFirstOfTheBestPathsAmongObstacles) {
   }
 }
 
+// A start that is not valid has steps that no valid state has.
+TEST(BestPath, IsTheFirstOfTheBestPathsFromAStartThatIsNotValid) {
+  const testing::GridWorld world = testing::gridWorld(6, 5, 1, 0, 1);
+  SymbolicProblem problem = world.problem;
+  problem.initial.objects.push_back(problem.initial.objects[problem.initial.target]);
+  const SymbolGraph graph = compile(world.model, problem, GridValidity());
+  ASSERT_FALSE(graph.valid(graph.mostProbableStart()));
+  expectTheSamePath(graph);
+}
+
 TEST(BestPath, TiesGoToTheShorterPathEvenAmongStepsThatCostNothing) {
   const auto paths = search(edges({{0, {Action::kMoveLeft, StateId{1}, 0}},
                                    {1, {Action::kMoveLeft, StateId{2}, 0}},
