@@ -238,11 +238,11 @@ class ScenarioReader {
     const std::size_t targets = root.node("targets")->size();
     if (targets < 2) return;  // told of already
     if (!symbols.IsSequence() || symbols.size() != targets) {
-      goal.addFault("symbols", "expected a list with what each of the " + std::to_string(targets) +
-                                   " targets should become, found " +
-                                   (symbols.IsSequence()
-                                        ? "a list of " + std::to_string(symbols.size())
-                                        : describe(symbols)));
+      goal.addFault("symbols",
+                    "expected a list with what each of the " + std::to_string(targets) +
+                        " targets should become, found " +
+                        (symbols.IsSequence() ? "a list of " + std::to_string(symbols.size())
+                                              : describe(symbols)));
       return;
     }
     for (std::size_t i = 0; i < targets; ++i) {

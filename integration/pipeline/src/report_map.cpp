@@ -157,9 +157,8 @@ std::string workbenchMap(const Report& report) {
   svg += text({0.5 * width, height - 6.0}, "camera side", true);
   for (const TargetGoal& target : targetsOf(report)) {
     const Point goal = center(bench, report.grounding.cell(mostProbable(target.goal)));
-    svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) +
-           attribute("y", goal.y - 28) + attribute("width", 56) + attribute("height", 56) +
-           attribute("rx", 8) + "/>";
+    svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) + attribute("y", goal.y - 28) +
+           attribute("width", 56) + attribute("height", 56) + attribute("rx", 8) + "/>";
   }
   svg += things(report);
   if (report.motion) svg += motionPath(report, *report.motion);

@@ -30,8 +30,7 @@ std::string outlineLayer(const Report& report, const RgbdImage& image) {
   for (const Outline& outline : outlines(image)) {
     std::size_t object = 0;
     while (object < count && instance(report, object) != outline.instance) ++object;
-    svg += std::string("<g") +
-           (isTarget(report, object) ? " class=\"target\"" : "") +
+    svg += std::string("<g") + (isTarget(report, object) ? " class=\"target\"" : "") +
            "><path class=\"under\" d=\"" + outline.path + "\"/><path class=\"over\" stroke=\"" +
            kOutlineColors[outline.instance % kOutlineColors.size()] + "\" d=\"" + outline.path +
            "\"/></g>";
@@ -164,12 +163,11 @@ std::string planSection(const Report& report) {
             std::string(comparesFrames(report) ? "21rem" : "12rem") + "\">" +
             stepList(report, plans.front()) + "</ol>";
   }
-  return html + "<figure class=\"map card\">" + workbenchMap(report) +
-         "<figcaption>From above: " +
+  return html + "<figure class=\"map card\">" + workbenchMap(report) + "<figcaption>From above: " +
          (report.targets.empty() ? "the target is round, the dashed cell is its goal"
                                  : "targets are round, dashed cells are their goals") +
-         ", numbers are the steps." +
-         motionCaption(report) + "</figcaption></figure></div></section>";
+         ", numbers are the steps." + motionCaption(report) +
+         "</figcaption></figure></div></section>";
 }
 
 }  // namespace conceptplan::report

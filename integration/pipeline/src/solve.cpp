@@ -202,8 +202,7 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
   if (scenario.reference) {
     const Reference reference = readReference(*scenario.reference);
     if (hasSolution(reference))
-      solution.evaluation =
-          evaluationOf(reference.task, solution.result.plans, solution.instances);
+      solution.evaluation = evaluationOf(reference.task, solution.result.plans, solution.instances);
   }
   solution.times.total_ms = total.lap();
   return solution;

@@ -8,7 +8,7 @@ namespace conceptplan {
 struct PrincipalAxes {
   Eigen::MatrixXd axes;  ///< [dimensions, count]: unit columns, the widest first; the component
                          ///< that is largest by magnitude is positive
-  double share = 0;  ///< of the variance, along those axes
+  double share = 0;      ///< of the variance, along those axes
 };
 
 /// Principal component analysis. points [n, dimensions]; count in 1..dimensions.
