@@ -95,7 +95,8 @@ class SeenPlane {
 
   /// False only for what is known to be nearer or farther than the plane.
   bool mayHold(Pixel pixel, float depth_m) const {
-    return !(depth_m > 0) || !(std::abs(inverseDepth(pixel) * depth_m - 1) > kPlaneTolerance);
+    return inverse_m_ == 0 || !(depth_m > 0) ||
+           !(std::abs(inverseDepth(pixel) * depth_m - 1) > kPlaneTolerance);
   }
 
   /// Metres along the camera's axis; 0 where the plane is not seen.
@@ -151,7 +152,7 @@ class HoleFilling {
     std::copy_if(hole_.begin(), hole_.end(), std::back_inserter(hole_samples_), [](Pixel pixel) {
       return pixel.x % kHoleStride_px == 0 && pixel.y % kHoleStride_px == 0;
     });
-    // The first of them lie all around already.
+    // The first quarter of them lies all around already.
     const std::size_t stride = rim_.size() / kRimSamples + 1;
     for (std::size_t first = 0; first < 4; ++first)
       for (std::size_t i = first * stride; i < rim_.size(); i += 4 * stride)
@@ -248,7 +249,8 @@ class HoleFilling {
     if (!(point.x() >= 0 && point.y() >= 0 && point.x() < static_cast<float>(image_.width) - 0.5F &&
           point.y() < static_cast<float>(image_.height) - 0.5F))
       return std::nullopt;
-    const Pixel pixel{static_cast<int>(point.x() + 0.5F), static_cast<int>(point.y() + 0.5F)};
+    const Pixel pixel{std::min(static_cast<int>(point.x() + 0.5F), image_.width - 1),
+                      std::min(static_cast<int>(point.y() + 0.5F), image_.height - 1)};
     if (usable_[at(pixel)] == 0) return std::nullopt;
     return pixel;
   }
@@ -332,8 +334,9 @@ std::vector<std::uint8_t> holeOf(const RgbdImage& image, std::uint8_t instance, 
 }  // namespace
 
 Background backgroundWithout(const RgbdImage& image, std::uint8_t instance) {
-  const auto size = static_cast<std::size_t>(image.width * image.height);
-  if (image.rgb.size() != 3 * size || image.depth_m.size() != size || image.mask.size() != size)
+  const auto size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (image.width <= 0 || image.height <= 0 || image.rgb.size() != 3 * size ||
+      image.depth_m.size() != size || image.mask.size() != size)
     throw std::invalid_argument("backgroundWithout: colours, depth and mask are not of one size");
   if (instance == 0 ||
       std::find(image.mask.begin(), image.mask.end(), instance) == image.mask.end())

@@ -80,6 +80,24 @@ GoalMdp::Choice GoalMdp::best(StateId state, const std::vector<double>& values) 
   return best;
 }
 
+double GoalMdp::settledValue(StateId state, const std::vector<double>& values) const {
+  double best = 0;
+  const StateActions at(graph_, state);
+  for (const Action action : kActions) {
+    if (at.legality(action) <= legality_threshold_) continue;
+    double left = 0, stays = 0;
+    for (const Transition& outcome : at.transitions(action)) {
+      if (!graph_.valid(outcome.state)) continue;
+      if (outcome.state == state)
+        stays += outcome.probability;
+      else
+        left += outcome.probability * values[index(outcome.state)];
+    }
+    best = std::max(best, discount_ * left / (1 - discount_ * stays));
+  }
+  return best;
+}
+
 std::optional<StateId> GoalMdp::draw(StateId state, Action action, std::mt19937_64& random) const {
   const TransitionRange outcomes = graph_.transitions(state, action);
   double rest = uniform(random);

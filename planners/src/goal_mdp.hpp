@@ -40,6 +40,11 @@ class GoalMdp {
   /// The action of greatest Q, ties in the order of `kActions`; value 0 if there is none.
   Choice best(StateId state, const std::vector<double>& values) const;
 
+  /// V(state) under these values of the other states: the solution of the state's own equation, in
+  /// which what stays in the state is tried again. Never farther from V than `best`. Source: the
+  /// Jacobi splitting of M. L. Puterman, Markov Decision Processes, 1994, Sec. 6.3.3.
+  double settledValue(StateId state, const std::vector<double>& values) const;
+
   /// The drawn outcome of a legal action; nothing if it is not valid.
   std::optional<StateId> draw(StateId state, Action action, std::mt19937_64& random) const;
 

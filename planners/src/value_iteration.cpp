@@ -25,7 +25,7 @@ std::vector<StateId> sweepOrder(const GoalMdp& mdp) {
 std::optional<std::vector<double>> valueIteration(const GoalMdp& mdp, double epsilon,
                                                   SearchGuard& guard,
                                                   SearchStatistics& statistics) {
-  // The sweep contracts errors by the discount d, so a change of c leaves an error of
+  // The sweep contracts errors by the discount d or better, so a change of c leaves an error of
   // c d / (1 - d) at most.
   const double last_change = epsilon * (1 - mdp.discount()) / mdp.discount();
   const std::vector<StateId> order = sweepOrder(mdp);
@@ -34,7 +34,7 @@ std::optional<std::vector<double>> valueIteration(const GoalMdp& mdp, double eps
     change = 0;
     for (const StateId state : order) {
       if (!guard.expand(statistics)) return std::nullopt;
-      const double value = mdp.best(state, values).value;
+      const double value = mdp.settledValue(state, values);
       change = std::max(change, std::abs(value - values[index(state)]));
       values[index(state)] = value;
     }

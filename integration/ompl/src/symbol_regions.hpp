@@ -10,8 +10,8 @@
 namespace conceptplan {
 
 /// The regions through which Syclop leads its search: states that agree in the concepts with the
-/// most symbols, as many of these as make no more than 400 regions. Regions are neighbours where an
-/// action most probably leads from one to the other.
+/// most symbols, as many of these as make no more than 400 regions, and at least one. Regions are
+/// neighbours where an action most probably leads from one to the other.
 class SymbolRegions final : public ompl::control::Decomposition {
  public:
   explicit SymbolRegions(std::shared_ptr<const SymbolStateSpace> states);

@@ -122,6 +122,10 @@ std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& pe
   for (const SymbolBelief& belief : percept.beliefs) symbols.push_back(mostProbable(belief));
   std::vector<std::size_t> moved = plan.moved;
   moved.resize(plan.actions.size(), at);
+  for (const std::size_t object : moved)
+    if (object >= percept.instances.size())
+      throw std::invalid_argument("Model::render: the plan moves object " + std::to_string(object) +
+                                  " of " + std::to_string(percept.instances.size()));
   std::vector<Tokens> predicted;
   for (std::size_t step = 0; step < plan.actions.size(); ++step) {
     const Action action = plan.actions[step];

@@ -30,9 +30,14 @@ std::array<double, 2> middleOf(const std::vector<std::uint8_t>& hole, int width)
   return {0.5 * (left + right), 0.5 * (top + bottom)};
 }
 
-/// How much a window counts at its pixel: falls to its edges, so that windows blend.
-float windowWeight(int x, int y) {
-  const int margin = std::min({x, y, kEdge - 1 - x, kEdge - 1 - y});
+/// How much a window counts at its pixel: falls to those of its edges that lie within the frame, so
+/// that windows blend.
+float windowWeight(int x, int y, WindowCorner corner, const RgbdImage& frame) {
+  int margin = kEdge;
+  if (corner.left > 0) margin = std::min(margin, x);
+  if (corner.top > 0) margin = std::min(margin, y);
+  if (corner.left + kEdge < frame.width) margin = std::min(margin, kEdge - 1 - x);
+  if (corner.top + kEdge < frame.height) margin = std::min(margin, kEdge - 1 - y);
   return std::min(1.0F, static_cast<float>(margin + 1) / 12.0F);
 }
 
@@ -66,6 +71,13 @@ Tokens VisualTransition::apply(const Tokens& tokens, const Tokens& context, Acti
 RgbdImage VisualTransition::synthesize(const Background& background, std::uint8_t instance,
                                        const DrawnObject& object) const {
   RgbdImage image = background.image;
+  const std::size_t size = background.hole.size();
+  if (image.width < kEdge || image.height < kEdge ||
+      size != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) ||
+      image.rgb.size() != 3 * size || image.depth_m.size() != size || image.mask.size() != size)
+    throw std::invalid_argument("synthesize: a frame of " + std::to_string(image.width) + " x " +
+                                std::to_string(image.height) +
+                                " is smaller than a window or has parts of other sizes");
   if (instance == 0 ||
       std::find(image.mask.begin(), image.mask.end(), instance) != image.mask.end())
     throw std::invalid_argument("synthesize: instance " + std::to_string(instance) +
@@ -99,8 +111,9 @@ RgbdImage VisualTransition::synthesize(const Background& background, std::uint8_
         for (int x = 0; x < kEdge; ++x, ++from) {
           const auto pixel =
               static_cast<std::size_t>((corner.top + y) * image.width + corner.left + x);
-          sum[3 * pixel + static_cast<std::size_t>(channel)] += windowWeight(x, y) * *from;
-          if (channel == 0) weight[pixel] += windowWeight(x, y);
+          const float share = windowWeight(x, y, corner, image);
+          sum[3 * pixel + static_cast<std::size_t>(channel)] += share * *from;
+          if (channel == 0) weight[pixel] += share;
         }
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     const float total = weight[i / 3];

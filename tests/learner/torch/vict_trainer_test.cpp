@@ -117,6 +117,7 @@ TEST(VisualTransition, Eq7KeepsTokenLengthAndSynthesizesOnlyNearTheObject) {
   EXPECT_EQ(rgb[3 * (200 * kFrameWidth + 370)], 160);
   EXPECT_NE(rgb, background.image.rgb);
   EXPECT_THROW(transition.synthesize(background, 0, object), std::invalid_argument);
+  EXPECT_THROW(transition.synthesize({}, 1, object), std::invalid_argument);
   EXPECT_THROW(transition.synthesize({image, background.hole}, 1, object), std::invalid_argument);
 }
 

@@ -26,8 +26,8 @@ class VisualTransition {
 
   /// The picture, its depth and its mask with the object drawn as that instance, hidden where other
   /// objects stand before it.
-  /// @throws std::invalid_argument if the picture is smaller than a window of 96 x 96, or if the
-  /// instance is 0 or among its objects.
+  /// @throws std::invalid_argument if the picture is smaller than a window of 96 x 96 or has parts
+  /// of other sizes, or if the instance is 0 or among its objects.
   RgbdImage synthesize(const Background& background, std::uint8_t instance,
                        const DrawnObject& object) const;
 
