@@ -45,6 +45,8 @@ struct Pixel {
 using Color = Eigen::Vector3f;
 using Eigen::Vector2f;
 
+Vector2f pointOf(Pixel pixel) { return {static_cast<float>(pixel.x), static_cast<float>(pixel.y)}; }
+
 /// 1 where a pixel that is set lies within a square of that margin.
 std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& set, int width, int margin) {
   const auto height = width > 0 ? static_cast<int>(set.size()) / width : 0;
@@ -117,9 +119,7 @@ class SeenPlane {
   }
 
  private:
-  Vector2f wayTo(Pixel pixel) const {
-    return Vector2f(static_cast<float>(pixel.x), static_cast<float>(pixel.y)) - middle_;
-  }
+  Vector2f wayTo(Pixel pixel) const { return pointOf(pixel) - middle_; }
 
   float inverseDepth(Pixel pixel) const { return inverse_m_ * (1 + gradient_.dot(wayTo(pixel))); }
 
@@ -178,7 +178,7 @@ class HoleFilling {
       if (piece_ && (difference - mean).cwiseAbs().maxCoeff() > kMostLight) continue;
       Difference& block = blocks[{pixel.y / kBlock_px, pixel.x / kBlock_px}];
       block.color += difference;
-      block.place += Vector2f(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
+      block.place += pointOf(pixel);
       ++block.pixels;
     }
     std::vector<Difference> differences;
@@ -290,8 +290,7 @@ class HoleFilling {
     };
     if (rim_samples_.empty()) return std::nullopt;
     for (int y = -kReach_px; y <= kReach_px; y += kCoarseStep_px)
-      for (int x = -kReach_px; x <= kReach_px; x += kCoarseStep_px)
-        consider(Vector2f(static_cast<float>(x), static_cast<float>(y)));
+      for (int x = -kReach_px; x <= kReach_px; x += kCoarseStep_px) consider(pointOf({x, y}));
     if (best)
       for (const Vector2f coarse = *best; const float y : {-1.0F, -0.5F, 0.0F, 0.5F, 1.0F})
         for (const float x : {-1.0F, -0.5F, 0.0F, 0.5F, 1.0F}) consider(coarse + Vector2f(x, y));
@@ -300,7 +299,7 @@ class HoleFilling {
 
   /// The differences weighted by nearness to a pixel.
   static Color spread(const std::vector<Difference>& differences, Pixel pixel) {
-    const Vector2f place(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
+    const Vector2f place = pointOf(pixel);
     Color sum = Color::Zero();
     float weights = 0;
     for (const Difference& difference : differences) {

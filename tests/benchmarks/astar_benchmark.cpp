@@ -18,6 +18,7 @@
 #include <functional>
 
 #include "benchmarks/counted_memory.hpp"
+#include "benchmarks/one_plan.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
 #include "path_search.hpp"
 #include "planners/grid_world.hpp"
@@ -31,7 +32,6 @@ constexpr int kSide = 1000;
 constexpr double kObstacleShare = 0.3;
 constexpr double kLegalityThreshold = 0.01;
 constexpr double kStepDiscount = 0.01;
-constexpr std::size_t kLongestPlan = 100'000;
 
 struct LargeBench {
   testing::GridWorld world = testing::gridWorld(kSide, kSide, 1, 0, 1);
@@ -48,13 +48,6 @@ struct LargeBench {
 const LargeBench& largeBench() {
   static const LargeBench bench;
   return bench;
-}
-
-PlanQuery query() {
-  PlanQuery query;
-  query.top = 1;
-  query.limits = {1e6, 1'000'000'000, kLongestPlan, nullptr};
-  return query;
 }
 
 void report(benchmark::State& state, std::size_t expanded, double peak_MB, double graph_MB,
@@ -75,10 +68,10 @@ void ourAstar(benchmark::State& state) {
   PathCost cost = 0;
   for (auto _ : state) {
     const testing::CountedMemory memory;
-    SearchGuard guard(query().limits);
+    SearchGuard guard(testing::onePlan().limits);
     const auto paths =
         bestPaths(bench.graph.numStates(), bench.start, bench.goal, std::cref(bench.steps),
-                  std::cref(bench.heuristic), {1, kLongestPlan}, guard, statistics);
+                  std::cref(bench.heuristic), {1, testing::kLongestPlan}, guard, statistics);
     if (paths.empty()) {
       state.SkipWithError("no path");
       break;
@@ -98,11 +91,8 @@ void ourPlanner(benchmark::State& state) {
   double cost = 0;
   for (auto _ : state) {
     const testing::CountedMemory memory;
-    const PlanResult result = planner->solve(graph, query());
-    if (result.status != PlanStatus::kSolved) {
-      state.SkipWithError(result.reason.c_str());
-      break;
-    }
+    const PlanResult result = planner->solve(graph, testing::onePlan());
+    if (!testing::isSolved(result, state)) break;
     expanded += result.statistics.expanded;
     cost = result.plans.front().cost;
     peak_MB = memory.peak_MB();

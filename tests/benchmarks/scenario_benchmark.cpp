@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/counted_memory.hpp"
+#include "benchmarks/one_plan.hpp"
 #include "conceptplan/domain/simulation/task_generator.hpp"
 #include "conceptplan/fcl/fcl_validity.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
@@ -58,15 +59,8 @@ void solveLevelFour(benchmark::State& state, const char* name) {
   query.top = static_cast<std::size_t>(state.range(0));
   eachLevelFour(state, [&](const SymbolicModel& model, const SymbolicProblem& problem) {
     const PlanResult result = planner->solve(compile(model, problem, validity), query);
-    if (result.status != PlanStatus::kSolved) state.SkipWithError(result.reason.c_str());
+    testing::isSolved(result, state);
   });
-}
-
-PlanQuery onePlan() {
-  PlanQuery query;
-  query.top = 1;
-  query.limits = {1e6, 1'000'000'000, 100'000, nullptr};
-  return query;
 }
 
 /// A workbench, obstacles that are no objects, and what is done with it.
@@ -99,11 +93,8 @@ void searchBench(benchmark::State& state, const Bench& bench, const char* name) 
   double peak_MB = 0;
   for (auto _ : state) {
     const testing::CountedMemory memory;
-    const PlanResult result = planner->solve(graph, onePlan());
-    if (result.status != PlanStatus::kSolved) {
-      state.SkipWithError(result.reason.c_str());
-      break;
-    }
+    const PlanResult result = planner->solve(graph, testing::onePlan());
+    if (!testing::isSolved(result, state)) break;
     expanded += result.statistics.expanded;
     peak_MB = memory.peak_MB();
   }
@@ -151,11 +142,8 @@ void astarByObstacles(benchmark::State& state) {
   const SymbolGraph graph = compile(world.model, problem, GridValidity());
   const auto planner = PlannerRegistry::standard().make("astar");
   for (auto _ : state) {
-    const PlanResult result = planner->solve(graph, onePlan());
-    if (result.status != PlanStatus::kSolved) {
-      state.SkipWithError(result.reason.c_str());
-      break;
-    }
+    const PlanResult result = planner->solve(graph, testing::onePlan());
+    if (!testing::isSolved(result, state)) break;
   }
 }
 

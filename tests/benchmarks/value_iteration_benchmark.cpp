@@ -7,6 +7,7 @@
 
 #include <Eigen/SparseCore>
 
+#include "benchmarks/one_plan.hpp"
 #include "conceptplan/planners/value_iteration_planner.hpp"
 #include "goal_mdp.hpp"
 #include "path_search.hpp"
@@ -101,13 +102,6 @@ class SparseSweeps {
   std::vector<Matrix> matrices_;
 };
 
-PlanQuery query() {
-  PlanQuery query;
-  query.top = 1;
-  query.limits = {1e6, 1'000'000'000, 100'000, nullptr};
-  return query;
-}
-
 /// The values of the states, and which of them the start leads to.
 struct Values {
   std::vector<double> values;
@@ -116,7 +110,7 @@ struct Values {
 
 /// Distances to the goal, from which the values start and are ordered, and sweeps.
 Values ourValues() {
-  SearchGuard guard(query().limits);
+  SearchGuard guard(testing::onePlan().limits);
   SearchStatistics statistics;
   const StateId goal = bench().mostProbableGoal();
   const auto distances = distancesToGoal(bench().numStates(), bench().mostProbableStart(), goal,
@@ -153,11 +147,8 @@ void ourValueIteration(benchmark::State& state) {
 void ourValueIterationPlanner(benchmark::State& state) {
   const ValueIterationPlanner planner(kOptions);
   for (auto _ : state) {
-    const PlanResult result = planner.solve(bench(), query());
-    if (result.status != PlanStatus::kSolved) {
-      state.SkipWithError(result.reason.c_str());
-      break;
-    }
+    const PlanResult result = planner.solve(bench(), testing::onePlan());
+    if (!testing::isSolved(result, state)) break;
   }
 }
 
