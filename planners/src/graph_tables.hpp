@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct GraphTables {
   SymbolIndex states;   ///< of one reading
   SymbolIndex checked;  ///< validity depends on these
   std::vector<Reading> readings;
-  std::vector<bool> valid;  ///< [states of all readings]
+  std::vector<std::uint8_t> valid;  ///< [states of all readings], 1 or 0
 
   std::size_t readingOf(StateId state) const {
     return readings.size() == 1 ? 0 : index(state) / states.size();

@@ -5,7 +5,6 @@
 #include <queue>
 #include <span>
 
-#include "best_path.hpp"
 #include "radix_queue.hpp"
 
 namespace conceptplan {
@@ -102,17 +101,11 @@ class EdgesByEnd {
 
 }  // namespace
 
-std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId goal,
-                                 const SuccessorFunction& successors,
-                                 const PathHeuristic& heuristic, const PathSearchOptions& options,
-                                 SearchGuard& guard, SearchStatistics& statistics) {
-  if (options.top == 1 && !options.greedy) {
-    const SearchStatistics before = statistics;
-    const auto best = bestPath(num_states, start, goal, successors, heuristic, options.horizon,
-                               guard, statistics);
-    if (best) return *best;
-    statistics = before;  // the other search has all the expansions that were allowed
-  }
+std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, StateId goal,
+                                    const SuccessorFunction& successors,
+                                    const PathHeuristic& heuristic,
+                                    const PathSearchOptions& options, SearchGuard& guard,
+                                    SearchStatistics& statistics) {
   std::vector<StatePath> found;
   PathTree tree(start);
   ExpandedLengths expanded(num_states);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "best_path.hpp"
 #include "conceptplan/planners/search_guard.hpp"
 #include "path_tree.hpp"
 
@@ -28,10 +29,29 @@ struct PathSearchOptions {
 /// and are no longer have reached its end, since each of its continuations then has that many
 /// rivals. So every state is expanded at most `top` times for each length, mostly `top` times in
 /// all.
+std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, StateId goal,
+                                    const SuccessorFunction& successors,
+                                    const PathHeuristic& heuristic,
+                                    const PathSearchOptions& options, SearchGuard& guard,
+                                    SearchStatistics& statistics);
+
+/// As `severalPaths`; a single path is left to `bestPath` where it can tell.
+/// @param steps as for `bestPath`, and a `SuccessorFunction`.
+template <typename Steps, typename Heuristic>
 std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId goal,
-                                 const SuccessorFunction& successors,
-                                 const PathHeuristic& heuristic, const PathSearchOptions& options,
-                                 SearchGuard& guard, SearchStatistics& statistics);
+                                 const Steps& steps, const Heuristic& heuristic,
+                                 const PathSearchOptions& options, SearchGuard& guard,
+                                 SearchStatistics& statistics) {
+  if (options.top == 1 && !options.greedy) {
+    const SearchStatistics before = statistics;
+    auto best =
+        bestPath(num_states, start, goal, steps, heuristic, options.horizon, guard, statistics);
+    if (best) return *std::move(best);
+    statistics = before;  // the other search has all the expansions that were allowed
+  }
+  return severalPaths(num_states, start, goal, std::cref(steps), std::cref(heuristic), options,
+                      guard, statistics);
+}
 
 /// Paths of the fewest actions from start to goal, distinct and by rising length; ties go by the
 /// order of the actions. Every action costs one, kNat.

@@ -56,7 +56,7 @@ ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
   std::array<std::vector<SymbolStep>, kNumConcepts> projected;
   const std::size_t reading = graph_.readingOf(goal);
   const std::size_t first_state = reading * graph_.states.size();
-  for (const StateSteps::ActionSteps& all : successors.ofReading(reading)) {
+  for (const StateSteps::ContextSteps& all : successors.ofReading(reading)) {
     const SymbolIndex open = openConcepts(graph_, all.contexts);
     for (std::size_t context = 0; context < all.contexts.size(); ++context) {
       const Symbols in_context = all.contexts.symbols(context, graph_.fixed);
@@ -66,9 +66,8 @@ ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
           return static_cast<std::size_t>(
               static_cast<std::ptrdiff_t>(first_state + graph_.states(symbols)) + step.shift);
         };
-        const auto before = open.find(in_context, [&](const Symbols& symbols) {
-          return bool(graph_.valid[target(symbols)]);
-        });
+        const auto before = open.find(
+            in_context, [&](const Symbols& symbols) { return graph_.valid[target(symbols)] != 0; });
         if (!before) continue;
         const Symbols after = graph_.symbols(static_cast<StateId>(target(*before)));
         PathCost changed = 0;
@@ -83,8 +82,9 @@ ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
   const Symbols wanted = graph_.symbols(goal);
   for (std::size_t k = 0; k < kNumConcepts; ++k) {
     if (!graph_.states.has(k)) continue;
-    distances_.push_back(
-        {k, symbolDistances(std::move(projected[k]), graph_.cardinality[k], index(wanted[k]))});
+    const auto distances =
+        symbolDistances(std::move(projected[k]), graph_.cardinality[k], index(wanted[k]));
+    to_goal_.insert(to_goal_.end(), distances.begin(), distances.end());
   }
 }
 

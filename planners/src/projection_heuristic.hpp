@@ -33,24 +33,22 @@ class ProjectionHeuristic {
 
   /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.
   PathCost operator()(StateId state) const {
-    const Symbols symbols = graph_.symbols(state);
     PathCost sum = 0;
-    for (const ConceptDistance& projected : distances_) {
-      const PathCost distance = projected.to_goal[index(symbols[projected.which])];
-      if (distance == kOutOfReach) return kOutOfReach;
-      sum += distance;
-    }
-    return sum;
+    std::size_t first = 0;
+    bool in_reach = true;
+    const std::size_t number = index(state) - graph_.readingOf(state) * graph_.states.size();
+    graph_.states.forEachSymbol(number, [&](std::uint32_t symbol, std::uint32_t cardinality) {
+      const PathCost distance = to_goal_[first + symbol];
+      first += cardinality;
+      in_reach = in_reach && distance != kOutOfReach;
+      sum += in_reach ? distance : 0;
+    });
+    return in_reach ? sum : kOutOfReach;
   }
 
  private:
-  struct ConceptDistance {
-    std::size_t which;
-    std::vector<PathCost> to_goal;  ///< [symbols]
-  };
-
   const GraphTables& graph_;
-  std::vector<ConceptDistance> distances_;  // of the concepts that change
+  std::vector<PathCost> to_goal_;  // of each symbol of each concept that the states index
 };
 
 }  // namespace conceptplan

@@ -7,13 +7,15 @@ namespace conceptplan {
 StateSteps::StateSteps(const SymbolGraph& graph, double legality_threshold, const Choice& choice)
     : graph_(graph.tables()) {
   for (const GraphTables::Reading& reading : graph_.readings) {
-    std::vector<ActionSteps>& of_reading = steps_.emplace_back();
-    for (const Action action : kActions) {
-      const CompiledAction& compiled = *reading.actions[index(action)];
-      ActionSteps all{action, compiled.contexts(), {0}, {}};
+    std::vector<ContextSteps>& of_reading = steps_.emplace_back();
+    for (std::size_t begin = 0, end = 0; begin < kNumActions; begin = end) {
+      ContextSteps all{reading.actions[begin]->contexts(), {0}, {}};
+      while (end < kNumActions && reading.actions[end]->contexts() == all.contexts) ++end;
       all.contexts.forEach(graph_.fixed, [&](const Symbols& symbols) {
-        if (compiled.legality(symbols) > legality_threshold) {
-          choice(compiled.outcomes(symbols), all.steps);
+        for (std::size_t a = begin; a < end; ++a) {
+          const CompiledAction& compiled = *reading.actions[a];
+          if (compiled.legality(symbols) <= legality_threshold) continue;
+          choice(kActions[a], compiled.outcomes(symbols), all.steps);
         }
         all.first.push_back(static_cast<std::uint32_t>(all.steps.size()));
       });
@@ -22,26 +24,14 @@ StateSteps::StateSteps(const SymbolGraph& graph, double legality_threshold, cons
   }
 }
 
-void StateSteps::operator()(StateId state, std::vector<Successor>& next) const {
-  next.clear();
-  const Symbols symbols = graph_.symbols(state);
-  for (const ActionSteps& all : steps_[graph_.readingOf(state)]) {
-    const std::size_t context = all.contexts(symbols);
-    for (std::uint32_t i = all.first[context]; i < all.first[context + 1]; ++i) {
-      const Step& step = all.steps[i];
-      const auto to = static_cast<StateId>(static_cast<std::int32_t>(state) + step.shift);
-      if (graph_.valid[index(to)]) next.push_back({all.action, to, step.cost});
-    }
-  }
-}
-
 StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
                             const std::function<PathCost(const Outcome&)>& cost) {
-  return {graph, legality_threshold,
-          [&](std::span<const Outcome> outcomes, std::vector<StateSteps::Step>& steps) {
-            const Outcome& likeliest = outcomes.front();
-            if (likeliest.shift != 0) steps.push_back({likeliest.shift, cost(likeliest)});
-          }};
+  return {
+      graph, legality_threshold,
+      [&](Action action, std::span<const Outcome> outcomes, std::vector<StateSteps::Step>& steps) {
+        const Outcome& likeliest = outcomes.front();
+        if (likeliest.shift != 0) steps.push_back({action, likeliest.shift, cost(likeliest)});
+      }};
 }
 
 StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
@@ -53,12 +43,13 @@ StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
 }
 
 StateSteps anyOutcomeSuccessors(const SymbolGraph& graph, double legality_threshold) {
-  return {graph, legality_threshold,
-          [](std::span<const Outcome> outcomes, std::vector<StateSteps::Step>& steps) {
-            for (const Outcome& outcome : outcomes) {
-              if (outcome.shift != 0) steps.push_back({outcome.shift, kNat});
-            }
-          }};
+  return {
+      graph, legality_threshold,
+      [](Action action, std::span<const Outcome> outcomes, std::vector<StateSteps::Step>& steps) {
+        for (const Outcome& outcome : outcomes) {
+          if (outcome.shift != 0) steps.push_back({action, outcome.shift, kNat});
+        }
+      }};
 }
 
 }  // namespace conceptplan

@@ -31,31 +31,72 @@ class StateSteps {
  public:
   /// A step in all states of one context of its action.
   struct Step {
+    Action action;
     std::int32_t shift;  ///< from the number of the state to that of the next one
     PathCost cost;
   };
 
-  /// The steps of one action.
-  struct ActionSteps {
-    Action action;
+  /// The steps of actions that follow each other and depend on the same concepts.
+  struct ContextSteps {
     SymbolIndex contexts;
     std::vector<std::uint32_t> first;  ///< [contexts + 1], where the steps of each context begin
-    std::vector<Step> steps;
+    std::vector<Step> steps;           ///< of each context by action
   };
 
   /// @param steps adds those of the outcomes of a legal action.
-  using Choice = std::function<void(std::span<const Outcome>, std::vector<Step>& steps)>;
+  using Choice = std::function<void(Action, std::span<const Outcome>, std::vector<Step>& steps)>;
 
   StateSteps(const SymbolGraph& graph, double legality_threshold, const Choice& choice);
 
-  void operator()(StateId state, std::vector<Successor>& next) const;
+  bool valid(StateId state) const { return graph_.valid[index(state)] != 0; }
+
+  /// Calls `visit` with each step out of the state, also those to states that are not valid.
+  template <typename Visitor>
+  void forEach(StateId state, Visitor visit) const {
+    const Symbols symbols = graph_.symbols(state);
+    for (const ContextSteps& all : steps_[graph_.readingOf(state)]) {
+      const std::size_t context = all.contexts(symbols);
+      const Step* const end = all.steps.data() + all.first[context + 1];
+      for (const Step* step = all.steps.data() + all.first[context]; step != end; ++step) {
+        const auto to = static_cast<StateId>(static_cast<std::int32_t>(state) + step->shift);
+        visit(Successor{step->action, to, step->cost});
+      }
+    }
+  }
+
+  void operator()(StateId state, std::vector<Successor>& next) const {
+    next.clear();
+    forEach(state, [&](const Successor& step) {
+      if (valid(step.state)) next.push_back(step);
+    });
+  }
 
   /// All steps of the reading, where they are valid and where they are not.
-  const std::vector<ActionSteps>& ofReading(std::size_t reading) const { return steps_[reading]; }
+  const std::vector<ContextSteps>& ofReading(std::size_t reading) const { return steps_[reading]; }
 
  private:
   const GraphTables& graph_;
-  std::vector<std::vector<ActionSteps>> steps_;  // [readings]
+  std::vector<std::vector<ContextSteps>> steps_;  // [readings]
+};
+
+/// A `SuccessorFunction` as steps that can be visited. For one thread; keeps a reference.
+class FunctionSteps {
+ public:
+  explicit FunctionSteps(const SuccessorFunction& successors) : successors_(successors) {}
+
+  bool valid(StateId) const { return true; }
+
+  template <typename Visitor>
+  void forEach(StateId state, Visitor visit) const {
+    successors_(state, next_);
+    for (const Successor& step : next_) visit(step);
+  }
+
+  void operator()(StateId state, std::vector<Successor>& next) const { successors_(state, next); }
+
+ private:
+  const SuccessorFunction& successors_;
+  mutable std::vector<Successor> next_;
 };
 
 /// The problem in which every action has its most probable outcome (single-outcome

@@ -106,7 +106,7 @@ void checkStates(const SymbolicModel& model, const Workbench& workbench,
     std::vector<Verdict>& verdicts = graph.readings[i].verdicts;
     verdicts = validity.checkAll(workbench, model.grounding, targets, readings[i].others);
     graph.states.forEach(graph.fixed, [&](const Symbols& target) {
-      graph.valid.push_back(verdicts[graph.checked(target)].valid());
+      graph.valid.push_back(verdicts[graph.checked(target)].valid() ? 1 : 0);
     });
   }
 }
@@ -153,7 +153,7 @@ const Verdict& SymbolGraph::verdict(StateId state) const {
   return tables_->readings[readingOf(state)].verdicts[tables_->checked(symbols(state))];
 }
 
-bool SymbolGraph::valid(StateId state) const { return tables_->valid[index(state)]; }
+bool SymbolGraph::valid(StateId state) const { return tables_->valid[index(state)] != 0; }
 
 double SymbolGraph::legality(StateId state, Action action) const {
   return StateActions(*this, state).legality(action);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,12 +22,15 @@ class SymbolIndex {
 
   SymbolIndex(const ConceptSet& concepts, const ConceptCardinality& cardinality) {
     for (std::size_t k = 0; k < kNumConcepts; ++k) {
-      if (!concepts[k]) continue;
       const auto symbols = static_cast<std::uint32_t>(cardinality[k]);
-      axes_[count_++] = {static_cast<std::uint32_t>(k), symbols, static_cast<std::uint32_t>(size_)};
+      if (!concepts[k] || symbols == 1) continue;  // the only symbol is 0 in every combination
+      axes_[count_++] = {static_cast<std::uint32_t>(k), symbols, static_cast<std::uint32_t>(size_),
+                         std::numeric_limits<std::uint64_t>::max() / symbols + 1};
       size_ *= symbols;
     }
   }
+
+  bool operator==(const SymbolIndex&) const = default;
 
   std::size_t size() const { return size_; }
 
@@ -50,13 +54,22 @@ class SymbolIndex {
   /// The symbols of the number; concepts that are not indexed keep those of `fixed`.
   Symbols symbols(std::size_t number, const Symbols& fixed) const {
     Symbols symbols = fixed;
+    std::size_t i = 0;
+    forEachSymbol(number, [&](std::uint32_t symbol, std::uint32_t) {
+      symbols[axes_[i++].which] = static_cast<SymbolId>(symbol);
+    });
+    return symbols;
+  }
+
+  /// Calls `visit` with each symbol of the number, and how many the concept has.
+  template <typename Visitor>
+  void forEachSymbol(std::size_t number, Visitor visit) const {
     auto rest = static_cast<std::uint32_t>(number);
     for (std::size_t i = 0; i < count_; ++i) {
-      const bool is_last = i + 1 == count_;
-      symbols[axes_[i].which] = static_cast<SymbolId>(is_last ? rest : rest % axes_[i].cardinality);
-      if (!is_last) rest /= axes_[i].cardinality;
+      const std::uint32_t above = i + 1 == count_ ? 0 : axes_[i].quotient(rest);
+      visit(rest - above * axes_[i].cardinality, axes_[i].cardinality);
+      rest = above;
     }
-    return symbols;
   }
 
   /// The first combination that is wanted, in the order of the numbers; nothing if none is.
@@ -82,9 +95,19 @@ class SymbolIndex {
 
  private:
   struct Axis {
+    bool operator==(const Axis&) const = default;
+
     std::uint32_t which;
     std::uint32_t cardinality;
     std::uint32_t stride;
+    std::uint64_t inverse;  ///< 2^64 / cardinality, rounded up
+
+    /// number / cardinality without a division.
+    /// Source: D. Lemire, O. Kaser and N. Kurz, 2019, doi:10.1002/spe.2689.
+    std::uint32_t quotient(std::uint32_t number) const {
+      __extension__ using Product = unsigned __int128;
+      return static_cast<std::uint32_t>(static_cast<Product>(inverse) * number >> 64);
+    }
   };
 
   const Axis* axisOf(std::size_t concept_number) const {

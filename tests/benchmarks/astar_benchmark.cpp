@@ -69,9 +69,8 @@ void ourAstar(benchmark::State& state) {
   for (auto _ : state) {
     const testing::CountedMemory memory;
     SearchGuard guard(testing::onePlan().limits);
-    const auto paths =
-        bestPaths(bench.graph.numStates(), bench.start, bench.goal, std::cref(bench.steps),
-                  std::cref(bench.heuristic), {1, testing::kLongestPlan}, guard, statistics);
+    const auto paths = bestPaths(bench.graph.numStates(), bench.start, bench.goal, bench.steps,
+                                 bench.heuristic, {1, testing::kLongestPlan}, guard, statistics);
     if (paths.empty()) {
       state.SkipWithError("no path");
       break;

@@ -1,10 +1,9 @@
-#include "best_path.hpp"
-
 #include <gmock/gmock.h>
 
 #include <functional>
 #include <map>
 
+#include "path_search.hpp"
 #include "planners/grid_world.hpp"
 #include "planners/obstacle_map.hpp"
 #include "planners/random_world.hpp"
@@ -34,8 +33,8 @@ std::optional<std::vector<StatePath>> search(const SuccessorFunction& successors
                                              std::size_t horizon = kFar) {
   SearchGuard guard(SearchLimits{});
   SearchStatistics statistics;
-  return bestPath(static_cast<std::size_t>(states), StateId{0}, StateId{states - 1}, successors,
-                  noGuidance, horizon, guard, statistics);
+  return bestPath(static_cast<std::size_t>(states), StateId{0}, StateId{states - 1},
+                  FunctionSteps(successors), noGuidance, horizon, guard, statistics);
 }
 
 /// The first of several best paths, which are found without `bestPath`.
@@ -46,8 +45,8 @@ std::vector<StatePath> firstOfSeveral(const SymbolGraph& graph, const StateSteps
   SearchGuard guard(limits);
   SearchStatistics statistics;
   std::vector<StatePath> paths =
-      bestPaths(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(),
-                std::cref(steps), heuristic, {2, kFar}, guard, statistics);
+      bestPaths(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(), steps,
+                heuristic, {2, kFar}, guard, statistics);
   if (paths.size() > 1) paths.resize(1);
   return paths;
 }
@@ -61,8 +60,8 @@ void expectTheSamePath(const SymbolGraph& graph) {
     SearchGuard guard(limits);
     SearchStatistics statistics;
     const auto found =
-        bestPath(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(),
-                 std::cref(steps), heuristic, kFar, guard, statistics);
+        bestPath(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(), steps,
+                 heuristic, kFar, guard, statistics);
     const std::vector<StatePath> expected = firstOfSeveral(graph, steps, heuristic);
     ASSERT_TRUE(found);
     ASSERT_EQ(found->size(), expected.size());
@@ -135,8 +134,8 @@ TEST(BestPath, CannotTellWhereTheHorizonMayHideAShorterWayThatCostsMore) {
   EXPECT_TRUE(search(successors, 4, 3));
   SearchGuard guard(SearchLimits{});
   SearchStatistics statistics;
-  const auto paths =
-      bestPaths(4, StateId{0}, StateId{3}, successors, noGuidance, {1, 2}, guard, statistics);
+  const auto paths = bestPaths(4, StateId{0}, StateId{3}, FunctionSteps(successors), noGuidance,
+                               {1, 2}, guard, statistics);
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_THAT(paths.front().actions, ElementsAre(Action::kMoveRight, Action::kMoveLeft));
 }
