@@ -8,6 +8,7 @@
 #include "projection_heuristic.hpp"
 
 namespace conceptplan {
+
 BestFirstPlanner::BestFirstPlanner(const BestFirstPlannerOptions& options) : options_(options) {
   checkOptionRange("legality_threshold", options.legality_threshold, 0, 1);
   checkOptionRange("step_discount", options.step_discount, 0, 0.5);

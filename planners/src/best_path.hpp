@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -38,7 +39,7 @@ struct Reached {
   bool closed;
 };
 
-/// States near each other share a page, which is made when the search first comes there. States
+/// States near each other share a page, which is made when the search first looks there. States
 /// that are not valid begin with a label that no way betters.
 template <typename Steps>
 class ReachedStates {
@@ -79,12 +80,11 @@ StatePath pathTo(StateId goal, ReachedStates<Steps>& reached, const Steps& steps
   for (std::size_t i = lengthOf(reached[goal].label); i > 0; --i) {
     const auto before = static_cast<StateId>(reached[state].parent);
     const PathCost cost = costOf(reached[state].label) - costOf(reached[before].label);
-    bool found = false;
+    std::optional<Action> action;
     steps.forEach(before, [&](const Successor& step) {
-      if (found || step.state != state || step.cost != cost) return;
-      found = true;
-      path.actions.push_back(step.action);
+      if (!action && step.state == state && step.cost == cost) action = step.action;
     });
+    path.actions.push_back(action.value());
     path.states.push_back(state);
     state = before;
   }

@@ -132,9 +132,9 @@ PlanResult planByPolicy(const SymbolGraph& graph, const PlanQuery& query, double
         const GoalMdp mdp(graph, task.goal, legality_threshold, step_discount, *distances);
         const std::optional<PolicyValues> values = solver(mdp, task);
         if (!values) return {};
-        const SuccessorFunction successors = policySuccessors(graph, task.goal, *values);
         std::vector<StatePath> paths = bestPaths(
-            graph.numStates(), task.start, task.goal, FunctionSteps(successors),
+            graph.numStates(), task.start, task.goal,
+            FunctionSteps(policySuccessors(graph, task.goal, *values)),
             [&](StateId state) {
               return (*distances)[index(state)] == kOutOfReach ? kOutOfReach : PathCost{0};
             },

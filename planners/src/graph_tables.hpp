@@ -30,9 +30,11 @@ struct GraphTables {
   std::size_t readingOf(StateId state) const {
     return readings.size() == 1 ? 0 : index(state) / states.size();
   }
-  Symbols symbols(StateId state) const {
-    return states.symbols(index(state) - readingOf(state) * states.size(), fixed);
+  /// The number of a state among those of its reading.
+  std::size_t numberInReading(StateId state) const {
+    return index(state) - readingOf(state) * states.size();
   }
+  Symbols symbols(StateId state) const { return states.symbols(numberInReading(state), fixed); }
 };
 
 /// What actions do in one state, whose symbols are read once.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "successors.hpp"
@@ -36,13 +36,13 @@ class ProjectionHeuristic {
     PathCost sum = 0;
     std::size_t first = 0;
     bool in_reach = true;
-    const std::size_t number = index(state) - graph_.readingOf(state) * graph_.states.size();
-    graph_.states.forEachSymbol(number, [&](std::uint32_t symbol, std::uint32_t cardinality) {
+    const auto add = [&](std::uint32_t symbol, std::uint32_t cardinality) {
       const PathCost distance = to_goal_[first + symbol];
       first += cardinality;
       in_reach = in_reach && distance != kOutOfReach;
       sum += in_reach ? distance : 0;
-    });
+    };
+    graph_.states.forEachSymbol(graph_.numberInReading(state), add);
     return in_reach ? sum : kOutOfReach;
   }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "conceptplan/planners/state_path.hpp"
@@ -24,9 +25,9 @@ using SuccessorFunction = std::function<void(StateId, std::vector<Successor>&)>;
 
 /// A problem over single states, made from a graph by choosing which outcomes of actions a planner
 /// may take and what they cost. Left out: actions whose legality does not exceed the threshold,
-/// outcomes that are invalid, and steps that change nothing. A `SuccessorFunction` whose ways out
-/// are worked out once for all states that agree in what an action depends on. Keeps a reference
-/// to the graph.
+/// steps that change nothing and, by the `SuccessorFunction`, those to states that are not valid.
+/// Steps are worked out once for all states that agree in what an action depends on. Keeps a
+/// reference to the graph.
 class StateSteps {
  public:
   /// A step in all states of one context of its action.
@@ -79,10 +80,10 @@ class StateSteps {
   std::vector<std::vector<ContextSteps>> steps_;  // [readings]
 };
 
-/// A `SuccessorFunction` as steps that can be visited. For one thread; keeps a reference.
+/// A `SuccessorFunction` as steps that can be visited. For one thread.
 class FunctionSteps {
  public:
-  explicit FunctionSteps(const SuccessorFunction& successors) : successors_(successors) {}
+  explicit FunctionSteps(SuccessorFunction successors) : successors_(std::move(successors)) {}
 
   bool valid(StateId) const { return true; }
 
@@ -95,7 +96,7 @@ class FunctionSteps {
   void operator()(StateId state, std::vector<Successor>& next) const { successors_(state, next); }
 
  private:
-  const SuccessorFunction& successors_;
+  SuccessorFunction successors_;
   mutable std::vector<Successor> next_;
 };
 

@@ -15,7 +15,6 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
-#include <functional>
 
 #include "benchmarks/counted_memory.hpp"
 #include "benchmarks/one_plan.hpp"

@@ -1,6 +1,7 @@
+#include "best_path.hpp"
+
 #include <gmock/gmock.h>
 
-#include <functional>
 #include <map>
 
 #include "path_search.hpp"

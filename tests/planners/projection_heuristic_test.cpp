@@ -7,6 +7,7 @@
 #include "path_search.hpp"
 #include "planners/grid_world.hpp"
 #include "planners/random_world.hpp"
+#include "planners/tiny_world.hpp"
 
 namespace conceptplan {
 namespace {
@@ -27,15 +28,14 @@ PathCost exactDistance(const SymbolGraph& graph, StateId from, StateId goal,
 
 /// The definitions of an admissible and of a consistent heuristic: h(s) <= h*(s), and
 /// h(s) <= c(s, s') + h(s') for every step.
-void expectAdmissibleAndConsistent(const SymbolGraph& graph) {
+void expectAdmissibleAndConsistent(const SymbolGraph& graph, StateId goal) {
   const StateSteps successors = likelySuccessors(graph, kThreshold, 0.01);
-  const StateId goal = graph.mostProbableGoal();
   const ProjectionHeuristic heuristic(graph, goal, successors);
   EXPECT_EQ(heuristic(goal), 0);
   std::vector<Successor> next;
   for (std::size_t i = 0; i < graph.numStates(); ++i) {
     const auto state = static_cast<StateId>(i);
-    if (!graph.valid(state)) continue;
+    if (!graph.valid(state) || graph.readingOf(state) != graph.readingOf(goal)) continue;
     EXPECT_LE(heuristic(state), exactDistance(graph, state, goal, successors));
     successors(state, next);
     for (const Successor& step : next) {
@@ -48,7 +48,8 @@ void expectAdmissibleAndConsistent(const SymbolGraph& graph) {
 TEST(ProjectionHeuristic, IsAdmissibleAndConsistentOnRandomWorlds) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    expectAdmissibleAndConsistent(randomWorld(seed));
+    const SymbolGraph graph = randomWorld(seed);
+    expectAdmissibleAndConsistent(graph, graph.mostProbableGoal());
   }
 }
 
@@ -61,11 +62,31 @@ TEST(ProjectionHeuristic, IsExactOnAFreeBenchFromTheTablesAlone) {
   EXPECT_EQ(heuristic(graph.mostProbableStart()), 8 * kNat);
 }
 
+// In the second reading there is a dyer, so that the target's colour can be changed.
+TEST(ProjectionHeuristic, IsThatOfTheReadingThatTheGoalIsIn) {
+  using testing::tinySymbols;
+  SymbolicProblem problem = testing::tinyProblem(tinySymbols(0, 0, 0, 0), tinySymbols(0, 1, 1, 1));
+  SymbolBelief dyer = certain(tinySymbols(1, 2, 0, 1), testing::kTinyCardinality);
+  dyer[index(Concept::kType)] = {0.7, 0.3};
+  problem.initial.objects.push_back(dyer);
+  const SymbolGraph graph = compile(testing::tinyModel(), problem, GridValidity());
+  ASSERT_EQ(graph.numReadings(), 2u);
+  const StateSteps successors = likelySuccessors(graph, kThreshold, 0.01);
+  for (const bool has_dyer : {false, true}) {
+    const StateId goal = graph.inReading(graph.mostProbableGoal(), has_dyer ? 1 : 0);
+    const StateId start = graph.inReading(graph.mostProbableStart(), has_dyer ? 1 : 0);
+    const ProjectionHeuristic heuristic(graph, goal, successors);
+    EXPECT_EQ(heuristic(start) == kOutOfReach, !has_dyer);
+    expectAdmissibleAndConsistent(graph, goal);
+  }
+}
+
 TEST(ProjectionHeuristic, IsAdmissibleAndConsistentAmongObstacles) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
     const testing::GridWorld world = gridWorld(4, 5, 3, 0.3, seed);
-    expectAdmissibleAndConsistent(compile(world.model, world.problem, GridValidity()));
+    const SymbolGraph graph = compile(world.model, world.problem, GridValidity());
+    expectAdmissibleAndConsistent(graph, graph.mostProbableGoal());
   }
 }
 

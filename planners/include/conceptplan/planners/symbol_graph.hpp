@@ -35,7 +35,7 @@ struct GraphTables;
 /// One problem compiled for search: the target's symbols of all concepts that actions change,
 /// packed to numbers, with validity, legality and next states tabulated. Immutable; threads may
 /// share it. Copies share the tables. What an action does is kept once for all states that agree
-/// in what it depends on, so a bench of W x H cells needs a bit a state, a verdict a cell and,
+/// in what it depends on, so a bench of W x H cells needs a byte a state, a verdict a cell and,
 /// where moves depend on nothing but the row or the column, tables of W and of H.
 ///
 /// What is believed of the other objects is part of the state too, though no action changes it:
