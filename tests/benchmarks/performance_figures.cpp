@@ -280,6 +280,7 @@ std::string astarTable(const Results& results) {
   constexpr Row kRows[] = {
       {"ourAstar", "ours, the search alone"},
       {"ourPlanner", "ours, the planner `astar`: with heuristic, plan and trace"},
+      {"boostOverItsGrid", "Boost.Graph over its filtered grid_graph"},
       {"boostOverOurGraph", "Boost.Graph over our successor function"},
       {"boostOverItsGraph", "Boost.Graph over its compressed_sparse_row_graph"}};
   std::string text =
