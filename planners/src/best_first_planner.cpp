@@ -16,14 +16,14 @@ BestFirstPlanner::BestFirstPlanner(const BestFirstPlannerOptions& options) : opt
 
 PlanResult BestFirstPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
   const StateSteps successors =
-      likelySuccessors(graph, options_.legality_threshold, options_.step_discount);
+      rankedSuccessors(graph, options_.legality_threshold, options_.step_discount);
   return planByPaths(graph, query, options_.legality_threshold, [&](const PathTask& task) {
     const auto paths = [&](const auto& heuristic) {
       return bestPaths(graph.numStates(), task.start, task.goal, successors, heuristic,
                        {query.top, query.limits.horizon, options_.greedy}, task.guard,
                        task.statistics);
     };
-    if (options_.guidance == Guidance::kNone) return paths([](StateId) { return PathCost{0}; });
+    if (options_.guidance == Guidance::kNone) return paths([](StateId) { return PathRank{0}; });
     if (options_.guidance == Guidance::kProjections) {
       return paths(ProjectionHeuristic(graph, task.goal, successors));
     }

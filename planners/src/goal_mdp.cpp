@@ -40,7 +40,7 @@ SuccessorFunction policySuccessors(const SymbolGraph& graph, StateId goal,
         main = outcome.state;
         most = share;
       }
-      if (main) next.push_back({action, *main, toPathCost(std::log(best / value))});
+      if (main) next.push_back({action, *main, rankOf(toPathCost(std::log(best / value)), 1)});
     }
   };
 }
@@ -136,7 +136,7 @@ PlanResult planByPolicy(const SymbolGraph& graph, const PlanQuery& query, double
             graph.numStates(), task.start, task.goal,
             FunctionSteps(policySuccessors(graph, task.goal, *values)),
             [&](StateId state) {
-              return (*distances)[index(state)] == kOutOfReach ? kOutOfReach : PathCost{0};
+              return (*distances)[index(state)] == kOutOfReach ? kOutOfReach : PathRank{0};
             },
             {query.top, query.limits.horizon}, task.guard, task.statistics);
         if (paths.empty() && !task.guard.stopped()) {

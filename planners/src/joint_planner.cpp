@@ -104,8 +104,7 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
   JointSpace space(model, problem, validity, rules);
   JointSearchOptions search{
       1,
-      std::min(query.limits.horizon, std::size_t{kStepsPerRank - 1} / problem.targets.size()) *
-          problem.targets.size(),
+      std::min(query.limits.horizon, kMostSteps / problem.targets.size()) * problem.targets.size(),
       options_.guided, options_.greedy};
   std::vector<JointPath> paths;
   if (space.contradiction().empty()) {

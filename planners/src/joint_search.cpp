@@ -28,7 +28,7 @@ class SequenceNumbers {
 /// Joint paths that share their beginnings.
 struct PathNode {
   JointState state = 0;
-  JointRank rank = 0;
+  PathRank rank = 0;
   NodeId parent = kNone;
   NodeId expanded_before = kNone;  ///< the node last expanded in the same state
   std::uint32_t length = 0;
@@ -39,7 +39,7 @@ struct PathNode {
 /// What waits to be expanded; worse is less. Of equally promising paths the longest comes first,
 /// since it is nearest to the goal, then the one that turns to other targets least.
 struct OpenNode {
-  JointRank rank;
+  PathRank rank;
   std::uint32_t length;
   std::uint32_t switches;
   NodeId node;
@@ -85,7 +85,7 @@ class JointSearch {
   }
 
  private:
-  JointRank bound(JointState state) const { return options_.guided ? space_.bound(state) : 0; }
+  PathRank bound(JointState state) const { return options_.guided ? space_.bound(state) : 0; }
 
   std::span<const std::uint32_t> sequences(NodeId node) const {
     return std::span(sequences_of_).subspan(node * space_.numTargets(), space_.numTargets());
@@ -107,7 +107,7 @@ class JointSearch {
 
   /// Adds one more step to a path; false if nobody wants the longer path.
   bool push(NodeId parent, const JointSuccessor& step) {
-    const JointRank rest = bound(step.state);
+    const PathRank rest = bound(step.state);
     if (rest == kOutOfReach) return false;
     const auto node = static_cast<NodeId>(nodes_.size());
     PathNode path{.state = step.state,

@@ -15,7 +15,7 @@ struct JointPath {
 
 struct JointSearchOptions {
   std::size_t top = 1;      ///< paths wanted
-  std::size_t horizon = 0;  ///< longest path, below kStepsPerRank
+  std::size_t horizon = 0;  ///< longest path, at most kMostSteps
   bool guided = true;       ///< by the space's bound; else not at all
   bool greedy = false;      ///< go by the bound alone
 };

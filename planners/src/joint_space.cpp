@@ -73,7 +73,7 @@ void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& s
   }
 }
 
-std::vector<JointRank> JointSpace::ranksToGoal(std::size_t target) const {
+std::vector<PathRank> JointSpace::ranksToGoal(std::size_t target) const {
   const JointTarget& moved = targets_[target];
   std::vector<StateEdge> edges;
   for (TargetState state = 0; state < moved.numStates(); ++state) {
@@ -115,10 +115,10 @@ std::string JointSpace::findContradiction() {
   return reason;
 }
 
-JointRank JointSpace::bound(JointState state) const {
-  JointRank sum = 0;
+PathRank JointSpace::bound(JointState state) const {
+  PathRank sum = 0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const JointRank rank = to_goal_[i][part(state, i)];
+    const PathRank rank = to_goal_[i][part(state, i)];
     if (rank == kOutOfReach) return kOutOfReach;
     sum += rank;
   }

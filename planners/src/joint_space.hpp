@@ -7,6 +7,7 @@
 
 #include "conceptplan/planners/state_validity.hpp"
 #include "joint_target.hpp"
+#include "path_rank.hpp"
 
 namespace conceptplan {
 
@@ -19,14 +20,6 @@ struct JointSuccessor {
   TargetStep step;
   JointState state = 0;
 };
-
-/// A cost and, behind it, a number of steps: the shorter one of two ways of equal cost is less.
-using JointRank = std::int64_t;
-inline constexpr JointRank kStepsPerRank = 1 << 14;
-
-constexpr JointRank rankOf(PathCost cost, std::size_t steps) {
-  return cost * kStepsPerRank + static_cast<JointRank>(steps);
-}
 
 /// The product of the targets' states, never built: steps are worked out state by state, and what
 /// may be asked again is kept. Objects have their most probable symbols, actions their most
@@ -55,7 +48,7 @@ class JointSpace {
   /// at which each gets to its goal with the other targets out of its way, and where they serve it
   /// best. Admissible and consistent, since a step moves one target, and is one of its possible
   /// steps. kOutOfReach where a target cannot get there.
-  JointRank bound(JointState state) const;
+  PathRank bound(JointState state) const;
 
   /// Why there is no way to the goal, as far as it shows without a search; empty if it does not.
   std::string contradiction() const { return contradiction_; }
@@ -70,7 +63,7 @@ class JointSpace {
     return static_cast<TargetState>(state / stride_[target] % targets_[target].numStates());
   }
   void checkStanding(std::size_t target, const std::vector<Symbols>& still);
-  std::vector<JointRank> ranksToGoal(std::size_t target) const;
+  std::vector<PathRank> ranksToGoal(std::size_t target) const;
   std::string findContradiction();
   bool stands(std::size_t target, TargetState state) const {
     return standing_[target].valid[standing_[target].view[state]];
@@ -85,7 +78,7 @@ class JointSpace {
   std::vector<JointTarget> targets_;
   std::vector<JointState> stride_;
   std::vector<Standing> standing_;
-  std::vector<std::vector<JointRank>> to_goal_;  // [targets][states]
+  std::vector<std::vector<PathRank>> to_goal_;  // [targets][states]
   JointState start_ = 0;
   JointState goal_ = 0;
   std::string contradiction_;

@@ -12,16 +12,19 @@ namespace {
 
 /// What waits to be expanded; worse is less.
 struct OpenPath {
-  PathCost rank;
-  std::uint32_t length;
+  PathRank rank;
   std::uint32_t node;
 
   bool operator<(const OpenPath& other) const {
-    if (rank != other.rank) return rank > other.rank;
-    if (length != other.length) return length > other.length;
-    return node > other.node;
+    return rank != other.rank ? rank > other.rank : node > other.node;
   }
 };
+
+/// Ways that cost more, or are longer, than a rank can tell count as the greatest that it can.
+PathRank rankSoFar(const PathTree::Node& way) {
+  return rankOf(std::min(way.cost, costOf(kFarthest)),
+                std::min<std::size_t>(way.length, kMostSteps));
+}
 
 /// The lengths at which paths to each state were expanded, as one list a state.
 class ExpandedLengths {
@@ -111,23 +114,24 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
   ExpandedLengths expanded(num_states);
   std::priority_queue<OpenPath> open;
   std::vector<Successor> next;
-  if (heuristic(start) != kOutOfReach) open.push({heuristic(start), 0, 0});
+  if (heuristic(start) != kOutOfReach) open.push({heuristic(start), 0});
   while (!open.empty() && found.size() < options.top) {
-    const OpenPath entry = open.top();
+    const std::uint32_t way = open.top().node;
     open.pop();
-    const StateId state = tree[entry.node].state;
-    if (expanded.has(options.top, state, entry.length)) continue;
+    const auto [state, length] = std::pair(tree[way].state, tree[way].length);
+    if (expanded.has(options.top, state, length)) continue;
     if (!guard.expand(statistics)) break;
-    expanded.add(state, entry.length);
-    if (state == goal) found.push_back(tree.path(entry.node));
-    if (entry.length == options.horizon) continue;
+    expanded.add(state, length);
+    if (state == goal) found.push_back(tree.path(way));
+    if (length == options.horizon) continue;
     successors(state, next);
     for (const Successor& step : next) {
-      const PathCost rest = heuristic(step.state);
-      if (rest == kOutOfReach || expanded.has(options.top, step.state, entry.length + 1)) continue;
+      const PathRank rest = heuristic(step.state);
+      if (rest == kOutOfReach || expanded.has(options.top, step.state, length + 1)) continue;
       ++statistics.generated;
-      const std::uint32_t node = tree.add(entry.node, step);
-      open.push({options.greedy ? rest : tree[node].cost + rest, entry.length + 1, node});
+      const std::uint32_t node = tree.add(way, {step.action, step.state, costOf(step.cost)});
+      open.push(
+          {options.greedy ? rankOf(costOf(rest), length + 1) : rankSoFar(tree[node]) + rest, node});
     }
   }
   std::stable_sort(found.begin(), found.end(),
@@ -142,7 +146,7 @@ std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_t
   // expanded in the order of their actions.
   return bestPaths(
       graph.numStates(), start, goal,
-      likelySuccessors(graph, legality_threshold, [](const Outcome&) { return kNat; }),
+      likelySuccessors(graph, legality_threshold, [](const Outcome&) { return rankOf(kNat, 1); }),
       [](StateId) { return PathCost{0}; }, options, guard, statistics);
 }
 
@@ -159,7 +163,7 @@ std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
     if (done[index(state)]) continue;
     done[index(state)] = true;
     for (const StateEdge& edge : into[state]) {
-      const PathCost longer = distance[index(state)] + edge.cost;
+      const PathCost longer = std::min(distance[index(state)] + edge.cost, kFarthest);
       if (longer >= distance[index(edge.from)]) continue;
       distance[index(edge.from)] = longer;
       open.push(static_cast<std::uint64_t>(longer), edge.from);

@@ -12,8 +12,8 @@
 
 namespace conceptplan {
 
-/// A number for each state, in units of cost; kOutOfReach where no way leads to the goal.
-using PathHeuristic = std::function<PathCost(StateId)>;
+/// A PathRank for each state; kOutOfReach where no way leads to the goal.
+using PathHeuristic = std::function<PathRank(StateId)>;
 
 struct PathSearchOptions {
   std::size_t top = 1;      ///< paths wanted
@@ -28,7 +28,8 @@ struct PathSearchOptions {
 /// horizon, ties going to the shorter one. A path is dropped where `top` others that cost no more
 /// and are no longer have reached its end, since each of its continuations then has that many
 /// rivals. So every state is expanded at most `top` times for each length, mostly `top` times in
-/// all.
+/// all. Paths of more than 8,796 nats may come in any order.
+/// @param successors with PathRanks as costs
 std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, StateId goal,
                                     const SuccessorFunction& successors,
                                     const PathHeuristic& heuristic,
@@ -36,7 +37,7 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
                                     SearchStatistics& statistics);
 
 /// As `severalPaths`; a single path is left to `bestPath` where it can tell.
-/// @param steps as for `bestPath`, and a `SuccessorFunction`.
+/// @param steps as for `bestPath`, and a `SuccessorFunction` with PathRanks as costs.
 template <typename Steps, typename Heuristic>
 std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId goal,
                                  const Steps& steps, const Heuristic& heuristic,
@@ -66,8 +67,9 @@ struct StateEdge {
   PathCost cost;  ///< >= 0
 };
 
-/// The least cost from each state to the goal along the edges, [num_states]; kOutOfReach where
-/// there is no way. Source: E. W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph.
+/// The least cost from each state to the goal along the edges, [num_states], kFarthest where it is
+/// more than that, kOutOfReach where there is no way. In the unit of the edges' costs. Source: E.
+/// W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph.
 std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
                                  std::span<const StateEdge> edges);
 

@@ -5,6 +5,8 @@
 #include <queue>
 #include <utility>
 
+#include "path_rank.hpp"
+
 namespace conceptplan {
 namespace {
 
@@ -33,8 +35,9 @@ std::vector<PathCost> symbolDistances(std::vector<SymbolStep> steps, std::size_t
         steps.begin(), steps.end(), symbol,
         [](const SymbolStep& entry, std::size_t wanted) { return entry.to < wanted; });
     for (; step != steps.end() && step->to == symbol; ++step) {
-      if (cost + step->cost >= distance[step->from]) continue;
-      distance[step->from] = cost + step->cost;
+      const PathCost longer = std::min(cost + step->cost, kFarthest);
+      if (longer >= distance[step->from]) continue;
+      distance[step->from] = longer;
       open.push({distance[step->from], step->from});
     }
   }

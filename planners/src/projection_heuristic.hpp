@@ -7,9 +7,10 @@
 
 namespace conceptplan {
 
-/// A lower bound of the cost from a state to the goal, made from the compiled tables alone: the sum
-/// over concepts of the least cost at which that concept by itself can get from its symbol to the
-/// goal's. Memory: one number for each symbol of each concept that changes.
+/// A lower bound of the cost from a state to the goal, in the unit of the steps' costs, made from
+/// the compiled tables alone: the sum over concepts of the least cost at which that concept by
+/// itself can get from its symbol to the goal's. Memory: one number for each symbol of each concept
+/// that changes.
 ///
 /// The projection on concept k has an edge v -> v' wherever some step of the problem changes k from
 /// v to v'. A step of cost c that changes m concepts counts c/m, rounded down, in each of them and

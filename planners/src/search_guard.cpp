@@ -5,8 +5,6 @@
 namespace conceptplan {
 namespace {
 
-/// The clock is read once in so many expansions.
-constexpr std::size_t kClockInterval = 32;
 constexpr double kLongestTimeout_s = 1e6;
 
 }  // namespace
@@ -18,22 +16,18 @@ SearchGuard::SearchGuard(const SearchLimits& limits)
                     std::chrono::duration<double>(std::min(limits.timeout_s, kLongestTimeout_s)))) {
 }
 
-bool SearchGuard::expand(SearchStatistics& statistics) {
+bool SearchGuard::goesOn(const SearchStatistics& statistics) {
   if (stopped_) return false;
   if (limits_.cancel != nullptr && limits_.cancel->load(std::memory_order_relaxed)) {
     stop(PlanStatus::kLimit, "cancelled");
   } else if (statistics.expanded >= limits_.max_expansions) {
     stop(PlanStatus::kLimit,
          "stopped at the limit of " + std::to_string(limits_.max_expansions) + " expansions");
-  } else if (statistics.expanded % kClockInterval == 0 &&
-             std::chrono::steady_clock::now() >= deadline_) {
+  } else if (std::chrono::steady_clock::now() >= deadline_) {
     stop(PlanStatus::kTimeout,
          "stopped at the time limit of " + std::to_string(limits_.timeout_s) + " s");
-  } else {
-    ++statistics.expanded;
-    return true;
   }
-  return false;
+  return !stopped_;
 }
 
 void SearchGuard::stop(PlanStatus status, std::string reason) {

@@ -2,7 +2,18 @@
 
 #include <cmath>
 
+#include "path_rank.hpp"
+
 namespace conceptplan {
+namespace {
+
+auto discountedCost(double step_discount) {
+  return [step = toPathCost(-std::log1p(-step_discount))](const Outcome& outcome) {
+    return toPathCost(outcome.cost) + step;
+  };
+}
+
+}  // namespace
 
 StateSteps::StateSteps(const SymbolGraph& graph, double legality_threshold, const Choice& choice)
     : graph_(graph.tables()) {
@@ -36,9 +47,14 @@ StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
 
 StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
                             double step_discount) {
+  return likelySuccessors(graph, legality_threshold, discountedCost(step_discount));
+}
+
+StateSteps rankedSuccessors(const SymbolGraph& graph, double legality_threshold,
+                            double step_discount) {
   return likelySuccessors(graph, legality_threshold,
-                          [step = toPathCost(-std::log1p(-step_discount))](const Outcome& outcome) {
-                            return toPathCost(outcome.cost) + step;
+                          [cost = discountedCost(step_discount)](const Outcome& outcome) {
+                            return rankOf(cost(outcome), 1);
                           });
 }
 

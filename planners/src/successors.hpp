@@ -17,7 +17,7 @@ inline constexpr PathCost kOutOfReach = std::numeric_limits<PathCost>::max();
 struct Successor {
   Action action{};
   StateId state{};
-  PathCost cost = 0;  ///< >= 0
+  PathCost cost = 0;  ///< >= 0; a PathRank for the searches that order by it
 };
 
 /// Replaces the vector's content by all ways out of the state, in the order of `kActions`.
@@ -109,6 +109,10 @@ StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
 /// As above with the cost `-log Pr[outcome] - log(1 - step_discount)`: the cost of a path is the
 /// negative logarithm of its discounted probability.
 StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
+                            double step_discount);
+
+/// The same with PathRanks as costs, for the searches that order by them.
+StateSteps rankedSuccessors(const SymbolGraph& graph, double legality_threshold,
                             double step_discount);
 
 /// The problem in which the planner may choose among the outcomes of an action; every step costs

@@ -44,7 +44,7 @@ struct LargeBench {
   double graph_MB = memory.held_MB();
   StateId start = graph.mostProbableStart();
   StateId goal = graph.mostProbableGoal();
-  StateSteps steps = likelySuccessors(graph, kLegalityThreshold, kStepDiscount);
+  StateSteps steps = rankedSuccessors(graph, kLegalityThreshold, kStepDiscount);
   ProjectionHeuristic heuristic{graph, goal, steps};
 };
 
@@ -219,7 +219,7 @@ using ItsGrid = boost::filtered_graph<Grid, boost::keep_all, IsFree>;
 
 /// All steps cost the same.
 auto weightsOf(const ItsGrid&) {
-  return boost::static_property_map<PathCost>(toPathCost(-std::log1p(-kStepDiscount)));
+  return boost::static_property_map<PathCost>(rankOf(toPathCost(-std::log1p(-kStepDiscount)), 1));
 }
 auto indicesOf(const ItsGrid& graph) { return get(boost::vertex_index, graph.m_g); }
 Cell2 vertexOf(StateId state, const ItsGrid&) {
@@ -276,7 +276,7 @@ PathCost boostSearch(const Graph& graph, std::size_t& expanded) {
     std::vector<Descriptor> path{goal};
     while (path.back() != start) path.push_back(predecessors[get(index_map, path.back())]);
     benchmark::DoNotOptimize(path);
-    return distances[get(index_map, goal)];
+    return costOf(distances[get(index_map, goal)]);
   }
   return kOutOfReach;
 }

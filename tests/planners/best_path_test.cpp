@@ -19,14 +19,17 @@ using ::testing::IsEmpty;
 constexpr double kThreshold = 0.01;
 constexpr std::size_t kFar = 1000;
 
-PathCost noGuidance(StateId) { return 0; }
+PathRank noGuidance(StateId) { return 0; }
 
 /// A graph written as its edges.
 SuccessorFunction edges(std::multimap<int, Successor> by_start) {
   return [by_start](StateId state, std::vector<Successor>& next) {
     next.clear();
     const auto [first, last] = by_start.equal_range(static_cast<int>(state));
-    for (auto edge = first; edge != last; ++edge) next.push_back(edge->second);
+    for (auto edge = first; edge != last; ++edge) {
+      next.push_back(edge->second);
+      next.back().cost = rankOf(edge->second.cost, 1);
+    }
   };
 }
 
@@ -53,7 +56,7 @@ std::vector<StatePath> firstOfSeveral(const SymbolGraph& graph, const StateSteps
 }
 
 void expectTheSamePath(const SymbolGraph& graph) {
-  const StateSteps steps = likelySuccessors(graph, kThreshold, 0.01);
+  const StateSteps steps = rankedSuccessors(graph, kThreshold, 0.01);
   const ProjectionHeuristic projection(graph, graph.mostProbableGoal(), steps);
   for (const PathHeuristic& heuristic : {PathHeuristic(noGuidance), PathHeuristic(projection)}) {
     SearchLimits limits;
@@ -141,8 +144,17 @@ TEST(BestPath, CannotTellWhereTheHorizonMayHideAShorterWayThatCostsMore) {
   EXPECT_THAT(paths.front().actions, ElementsAre(Action::kMoveRight, Action::kMoveLeft));
 }
 
-TEST(BestPath, CannotTellOfCostsBeyondWhatALabelHolds) {
-  EXPECT_FALSE(search(edges({{0, {Action::kMoveLeft, StateId{1}, 20'000 * kNat}}}), 2));
+TEST(BestPath, CannotTellOfCostsBeyondWhatARankHolds) {
+  const SuccessorFunction successors = edges({{0, {Action::kMoveLeft, StateId{1}, 5'000 * kNat}},
+                                              {1, {Action::kMoveLeft, StateId{2}, 5'000 * kNat}},
+                                              {2, {Action::kMoveLeft, StateId{3}, 5'000 * kNat}}});
+  EXPECT_FALSE(search(successors, 4));
+  SearchGuard guard(SearchLimits{});
+  SearchStatistics statistics;
+  const auto paths = bestPaths(4, StateId{0}, StateId{3}, FunctionSteps(successors), noGuidance,
+                               {1, kFar}, guard, statistics);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_EQ(paths.front().cost, 15'000 * kNat);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void expectConsistentBound(const JointWorld& world) {
   for (const JointState state : reachable(space)) {
     space.successors(state, next);
     for (const JointSuccessor& step : next) {
-      const JointRank rest = space.bound(step.state);
+      const PathRank rest = space.bound(step.state);
       EXPECT_TRUE(rest == kOutOfReach || space.bound(state) <= rankOf(step.step.cost, 1) + rest);
     }
   }

@@ -35,7 +35,7 @@ class JointPlanner {
 
   /// Unless greedy, the plans are exactly the `top` best ones, by cost, then by length. Plans in
   /// which each target has the same actions count as one, given in its best order. A plan has at
-  /// most `horizon` actions a target, and at most 16,383. `Plan::probability` is a lower bound:
+  /// most `horizon` actions a target, and at most 131,071. `Plan::probability` is a lower bound:
   /// that all objects are as they were most probably read, the goals too, and that each action has
   /// its most probable outcome. There are no rejections and no nearest symbols. Thread-safe.
   ///

@@ -15,7 +15,14 @@ class SearchGuard {
   explicit SearchGuard(const SearchLimits& limits);
 
   /// Counts one expansion. False once a limit has struck; the expansion must not be made then.
-  bool expand(SearchStatistics& statistics);
+  bool expand(SearchStatistics& statistics) {
+    const bool is_due = statistics.expanded % kInterval == 0;
+    if (is_due || stopped_ || statistics.expanded >= limits_.max_expansions) {
+      if (!goesOn(statistics)) return false;
+    }
+    ++statistics.expanded;
+    return true;
+  }
 
   /// Which limit struck; nothing if none did.
   std::optional<PlanStatus> stopped() const { return stopped_; }
@@ -27,6 +34,11 @@ class SearchGuard {
   void stop(PlanStatus status, std::string reason);
 
  private:
+  /// The clock is read, and a cancel looked for, once in so many expansions.
+  static constexpr std::size_t kInterval = 128;
+
+  bool goesOn(const SearchStatistics& statistics);
+
   SearchLimits limits_;
   std::chrono::steady_clock::time_point deadline_;
   std::optional<PlanStatus> stopped_;

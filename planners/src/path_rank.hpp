@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+
+#include "conceptplan/planners/state_path.hpp"
+
+namespace conceptplan {
+
+/// A cost and, behind it, a number of steps, as one number: of two ways of equal cost the one of
+/// fewer steps is less, and ranks of the parts of a way add up to that of the way.
+using PathRank = std::int64_t;
+
+inline constexpr PathRank kStepsPerRank = 1 << 17;
+inline constexpr std::size_t kMostSteps = kStepsPerRank - 1;
+/// No least cost and no rank is told beyond this, a rank's 8,796 nats, so that sums of a few do not
+/// overflow. A heuristic that is consistent stays so if its numbers are cut off.
+inline constexpr PathRank kFarthest = PathRank{1} << 60;
+
+/// @pre cost <= costOf(kFarthest), steps <= kMostSteps
+constexpr PathRank rankOf(PathCost cost, std::size_t steps) {
+  assert(cost <= kFarthest / kStepsPerRank && steps <= kMostSteps);
+  return cost * kStepsPerRank + static_cast<PathRank>(steps);
+}
+
+constexpr PathCost costOf(PathRank rank) { return rank / kStepsPerRank; }
+constexpr std::size_t stepsOf(PathRank rank) {
+  return static_cast<std::size_t>(rank % kStepsPerRank);
+}
+
+}  // namespace conceptplan
