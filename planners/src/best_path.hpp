@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,8 +16,6 @@
 namespace conceptplan {
 namespace best_path {
 
-inline constexpr PathRank kUnreached = std::numeric_limits<PathRank>::max();
-
 /// States near each other share a page, which is made when the search first looks there. States
 /// that are not valid begin with a rank that no way betters.
 template <typename Steps>
@@ -27,15 +24,7 @@ class ReachedStates {
   /// The best way found to a state.
   struct Reached {
     PathRank& rank;
-    std::uint32_t& parent;  ///< no meaning where no way has been found
-
-    void set(PathRank better, StateId from) {
-      rank = better;
-      parent = static_cast<std::uint32_t>(from);
-    }
-    bool isClosed() const { return (parent & kClosed) != 0; }
-    void close() { parent |= kClosed; }
-    StateId from() const { return static_cast<StateId>(parent & ~kClosed); }
+    StateId& parent;  ///< no meaning where no way has been found
   };
 
   ReachedStates(std::size_t num_states, const Steps& steps)
@@ -50,13 +39,12 @@ class ReachedStates {
   }
 
  private:
-  static constexpr std::uint32_t kClosed = std::uint32_t{1} << 31;  // no state has that number
   static constexpr std::size_t kPageStates = 64;
   static constexpr std::size_t kChunkPages = 32;
 
   struct Page {
     std::array<PathRank, kPageStates> ranks;
-    std::array<std::uint32_t, kPageStates> parents;
+    std::array<StateId, kPageStates> parents;
   };
 
   /// Kept out of the loop that asks for it.
@@ -67,8 +55,8 @@ class ReachedStates {
     Page& page = chunks_.back()[num_pages_++ % kChunkPages];
     const std::size_t states = std::min(kPageStates, num_states_ - first_state);
     for (std::size_t i = 0; i < states; ++i) {
-      const PathRank valid = steps_.valid(static_cast<StateId>(first_state + i)) ? 1 : 0;
-      page.ranks[i] = -valid & kUnreached;  // a branch would often be mispredicted
+      const bool is_valid = steps_.valid(static_cast<StateId>(first_state + i));
+      page.ranks[i] = -PathRank{is_valid} & kOutOfReach;  // a branch would often be mispredicted
     }
     return &page;
   }
@@ -80,13 +68,19 @@ class ReachedStates {
   std::size_t num_pages_ = 0;  // in the chunks
 };
 
+/// A way that waits to be continued.
+struct OpenWay {
+  PathRank rank;
+  StateId state;
+};
+
 template <typename Steps>
 StatePath pathTo(StateId goal, ReachedStates<Steps>& reached, const Steps& steps) {
   StatePath path;
   path.cost = costOf(reached[goal].rank);
   StateId state = goal;
   for (std::size_t i = stepsOf(reached[goal].rank); i > 0; --i) {
-    const StateId before = reached[state].from();
+    const StateId before = reached[state].parent;
     const PathRank rank = reached[state].rank - reached[before].rank;
     std::optional<Action> action;
     steps.forEach(before, [&](const Successor& step) {
@@ -114,8 +108,8 @@ StatePath pathTo(StateId goal, ReachedStates<Steps>& reached, const Steps& steps
 /// A template, so that steps and heuristic are compiled into the loop.
 /// @param steps `steps.forEach(state, visit)` calls `visit` with each step out of the state, its
 /// cost a PathRank; also those to states for which not `steps.valid(state)`.
-/// @param heuristic the PathRank from a state to the goal at least; kOutOfReach where there is
-/// none.
+/// @param heuristic a lower bound of the PathRank from a state to the goal, at most kFarthest;
+/// kOutOfReach where there is no way.
 /// @pre the heuristic is consistent.
 template <typename Steps, typename Heuristic>
 std::optional<std::vector<StatePath>> bestPath(std::size_t num_states, StateId start, StateId goal,
@@ -126,27 +120,25 @@ std::optional<std::vector<StatePath>> bestPath(std::size_t num_states, StateId s
   if (least == kOutOfReach) return std::vector<StatePath>();
   const std::size_t longest = std::min(horizon, kMostSteps);
   best_path::ReachedStates reached(num_states, steps);
-  RadixQueue<StateId> open;
-  reached[start].set(0, start);
-  open.push(static_cast<std::uint64_t>(least), start);
+  RadixQueue<best_path::OpenWay> open;
+  reached[start].rank = 0;
+  open.push(static_cast<std::uint64_t>(least), {0, start});
   while (!open.empty()) {
-    const StateId state = open.pop();
-    auto here = reached[state];
-    if (here.isClosed()) continue;
-    here.close();
+    const auto [so_far, state] = open.pop();
+    if (so_far != reached[state].rank) continue;  // a better way came by
     if (!guard.expand(statistics)) return std::vector<StatePath>();
     if (state == goal) return std::vector{pathTo(goal, reached, steps)};
-    const PathRank so_far = here.rank;
-    if (so_far > kFarthest || stepsOf(so_far) >= longest) return std::nullopt;
+    if (so_far > kMostRank || stepsOf(so_far) >= longest) return std::nullopt;
     steps.forEach(state, [&](const Successor& step) {
       const PathRank rank = so_far + step.cost;
-      auto there = reached[step.state];
+      const auto there = reached[step.state];
       if (rank >= there.rank) return;
       const PathRank rest = heuristic(step.state);
       if (rest == kOutOfReach) return;
       ++statistics.generated;
-      there.set(rank, state);
-      open.push(static_cast<std::uint64_t>(rank) + static_cast<std::uint64_t>(rest), step.state);
+      there.rank = rank;
+      there.parent = state;
+      open.push(static_cast<std::uint64_t>(rank + rest), {rank, step.state});
     });
   }
   return std::vector<StatePath>();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "path_rank.hpp"
 #include "path_search.hpp"
 
 namespace conceptplan {

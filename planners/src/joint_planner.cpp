@@ -11,6 +11,7 @@
 #include "belief_check.hpp"
 #include "joint_search.hpp"
 #include "option_range.hpp"
+#include "path_rank.hpp"
 #include "scene_readings.hpp"
 
 namespace conceptplan {

@@ -111,7 +111,7 @@ class JointSearch {
     if (rest == kOutOfReach) return false;
     const auto node = static_cast<NodeId>(nodes_.size());
     PathNode path{.state = step.state,
-                  .rank = nodes_[parent].rank + rankOf(step.step.cost, 1),
+                  .rank = std::min(nodes_[parent].rank + rankOf(step.step.cost, 1), kMostRank),
                   .parent = parent,
                   .length = nodes_[parent].length + 1,
                   .switches = nodes_[parent].switches,

@@ -120,7 +120,7 @@ PathRank JointSpace::bound(JointState state) const {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const PathRank rank = to_goal_[i][part(state, i)];
     if (rank == kOutOfReach) return kOutOfReach;
-    sum += rank;
+    sum = std::min(sum + rank, kFarthest);
   }
   return sum;
 }

@@ -5,6 +5,7 @@
 #include <queue>
 #include <span>
 
+#include "path_rank.hpp"
 #include "radix_queue.hpp"
 
 namespace conceptplan {
@@ -21,9 +22,8 @@ struct OpenPath {
 };
 
 /// Ways that cost more, or are longer, than a rank can tell count as the greatest that it can.
-PathRank rankSoFar(const PathTree::Node& way) {
-  return rankOf(std::min(way.cost, costOf(kFarthest)),
-                std::min<std::size_t>(way.length, kMostSteps));
+PathRank nearestRank(PathCost cost, std::size_t length) {
+  return rankOf(std::min(cost, costOf(kMostRank)), std::min(length, kMostSteps));
 }
 
 /// The lengths at which paths to each state were expanded, as one list a state.
@@ -130,8 +130,9 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
       if (rest == kOutOfReach || expanded.has(options.top, step.state, length + 1)) continue;
       ++statistics.generated;
       const std::uint32_t node = tree.add(way, {step.action, step.state, costOf(step.cost)});
-      open.push(
-          {options.greedy ? rankOf(costOf(rest), length + 1) : rankSoFar(tree[node]) + rest, node});
+      const PathRank rank = options.greedy ? nearestRank(costOf(rest), length + 1)
+                                           : nearestRank(tree[node].cost, length + 1) + rest;
+      open.push({rank, node});
     }
   }
   std::stable_sort(found.begin(), found.end(),
@@ -147,7 +148,7 @@ std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_t
   return bestPaths(
       graph.numStates(), start, goal,
       likelySuccessors(graph, legality_threshold, [](const Outcome&) { return rankOf(kNat, 1); }),
-      [](StateId) { return PathCost{0}; }, options, guard, statistics);
+      [](StateId) { return PathRank{0}; }, options, guard, statistics);
 }
 
 std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,

@@ -28,7 +28,7 @@ struct PathSearchOptions {
 /// horizon, ties going to the shorter one. A path is dropped where `top` others that cost no more
 /// and are no longer have reached its end, since each of its continuations then has that many
 /// rivals. So every state is expanded at most `top` times for each length, mostly `top` times in
-/// all. Paths of more than 8,796 nats may come in any order.
+/// all. Beyond 52,776 nats or 131,071 actions paths need not be the best.
 /// @param successors with PathRanks as costs
 std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, StateId goal,
                                     const SuccessorFunction& successors,

@@ -5,8 +5,6 @@
 #include <queue>
 #include <utility>
 
-#include "path_rank.hpp"
-
 namespace conceptplan {
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,7 @@ class ProjectionHeuristic {
 
   /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.
   PathCost operator()(StateId state) const {
+    static_assert(kNumConcepts < kOutOfReach / kFarthest, "the sum does not overflow");
     PathCost sum = 0;
     std::size_t first = 0;
     bool in_reach = true;
@@ -44,7 +46,7 @@ class ProjectionHeuristic {
       sum += in_reach ? distance : 0;
     };
     graph_.states.forEachSymbol(graph_.numberInReading(state), add);
-    return in_reach ? sum : kOutOfReach;
+    return in_reach ? std::min(sum, kFarthest) : kOutOfReach;
   }
 
  private:

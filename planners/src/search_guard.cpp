@@ -23,7 +23,8 @@ bool SearchGuard::goesOn(const SearchStatistics& statistics) {
   } else if (statistics.expanded >= limits_.max_expansions) {
     stop(PlanStatus::kLimit,
          "stopped at the limit of " + std::to_string(limits_.max_expansions) + " expansions");
-  } else if (std::chrono::steady_clock::now() >= deadline_) {
+  } else if (statistics.expanded % kClockInterval == 0 &&
+             std::chrono::steady_clock::now() >= deadline_) {
     stop(PlanStatus::kTimeout,
          "stopped at the time limit of " + std::to_string(limits_.timeout_s) + " s");
   }

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "path_rank.hpp"
-
 namespace conceptplan {
 namespace {
 

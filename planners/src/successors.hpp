@@ -1,17 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "conceptplan/planners/state_path.hpp"
 #include "graph_tables.hpp"
+#include "path_rank.hpp"
 
 namespace conceptplan {
-
-/// Where no path leads.
-inline constexpr PathCost kOutOfReach = std::numeric_limits<PathCost>::max();
 
 /// One way out of a state.
 struct Successor {
@@ -34,7 +31,7 @@ class StateSteps {
   struct Step {
     Action action;
     std::int32_t shift;  ///< from the number of the state to that of the next one
-    PathCost cost;
+    PathCost cost;       ///< as that of a Successor
   };
 
   /// The steps of actions that follow each other and depend on the same concepts.

@@ -145,16 +145,25 @@ TEST(BestPath, CannotTellWhereTheHorizonMayHideAShorterWayThatCostsMore) {
 }
 
 TEST(BestPath, CannotTellOfCostsBeyondWhatARankHolds) {
-  const SuccessorFunction successors = edges({{0, {Action::kMoveLeft, StateId{1}, 5'000 * kNat}},
-                                              {1, {Action::kMoveLeft, StateId{2}, 5'000 * kNat}},
-                                              {2, {Action::kMoveLeft, StateId{3}, 5'000 * kNat}}});
-  EXPECT_FALSE(search(successors, 4));
+  std::multimap<int, Successor> steps;
+  for (int i = 0; i < 9; ++i) {
+    steps.insert({i, {Action::kMoveLeft, StateId{i + 1}, 7'000 * kNat}});
+  }
+  const SuccessorFunction successors = edges(steps);
+  EXPECT_FALSE(search(successors, 10));
   SearchGuard guard(SearchLimits{});
   SearchStatistics statistics;
-  const auto paths = bestPaths(4, StateId{0}, StateId{3}, FunctionSteps(successors), noGuidance,
+  const auto paths = bestPaths(10, StateId{0}, StateId{9}, FunctionSteps(successors), noGuidance,
                                {1, kFar}, guard, statistics);
   ASSERT_EQ(paths.size(), 1u);
-  EXPECT_EQ(paths.front().cost, 15'000 * kNat);
+  EXPECT_EQ(paths.front().cost, 63'000 * kNat);
+}
+
+TEST(LeastCosts, AreCutOffAtTheFarthest) {
+  const std::vector<StateEdge> edges{{StateId{0}, StateId{1}, kFarthest - 1},
+                                     {StateId{1}, StateId{2}, kFarthest - 1}};
+  EXPECT_THAT(leastCosts(4, StateId{2}, edges),
+              ElementsAre(kFarthest, kFarthest - 1, 0, kOutOfReach));
 }
 
 }  // namespace

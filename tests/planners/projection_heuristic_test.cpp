@@ -28,8 +28,8 @@ PathCost exactDistance(const SymbolGraph& graph, StateId from, StateId goal,
 
 /// The definitions of an admissible and of a consistent heuristic: h(s) <= h*(s), and
 /// h(s) <= c(s, s') + h(s') for every step.
-void expectAdmissibleAndConsistent(const SymbolGraph& graph, StateId goal) {
-  const StateSteps successors = likelySuccessors(graph, kThreshold, 0.01);
+void expectAdmissibleAndConsistent(const SymbolGraph& graph, StateId goal,
+                                   const StateSteps& successors) {
   const ProjectionHeuristic heuristic(graph, goal, successors);
   EXPECT_EQ(heuristic(goal), 0);
   std::vector<Successor> next;
@@ -43,6 +43,11 @@ void expectAdmissibleAndConsistent(const SymbolGraph& graph, StateId goal) {
       EXPECT_TRUE(rest == kOutOfReach || heuristic(state) <= step.cost + rest);
     }
   }
+}
+
+void expectAdmissibleAndConsistent(const SymbolGraph& graph, StateId goal) {
+  expectAdmissibleAndConsistent(graph, goal, likelySuccessors(graph, kThreshold, 0.01));
+  expectAdmissibleAndConsistent(graph, goal, rankedSuccessors(graph, kThreshold, 0.01));
 }
 
 TEST(ProjectionHeuristic, IsAdmissibleAndConsistentOnRandomWorlds) {

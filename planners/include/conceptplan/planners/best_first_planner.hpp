@@ -22,7 +22,7 @@ struct BestFirstPlannerOptions {
 /// Least costly action sequences from the most probable start to the most probable goal where each
 /// action has its most probable outcome. The cost is the sum over the steps of
 /// `-log Pr[outcome] - log(1 - step_discount)`. Unless greedy, the plans are exactly the `top` best
-/// ones within the horizon, whatever the guidance.
+/// ones within the horizon, whatever the guidance, up to a cost of 52,776.
 /// Sources: E. W. Dijkstra, 1959, doi:10.1007/BF01386390; P. E. Hart, N. J. Nilsson and B. Raphael,
 /// 1968, doi:10.1109/TSSC.1968.300136.
 class BestFirstPlanner final : public Planner {

@@ -16,7 +16,7 @@ class SearchGuard {
 
   /// Counts one expansion. False once a limit has struck; the expansion must not be made then.
   bool expand(SearchStatistics& statistics) {
-    const bool is_due = statistics.expanded % kInterval == 0;
+    const bool is_due = statistics.expanded % kClockInterval == 0 || limits_.cancel != nullptr;
     if (is_due || stopped_ || statistics.expanded >= limits_.max_expansions) {
       if (!goesOn(statistics)) return false;
     }
@@ -34,8 +34,8 @@ class SearchGuard {
   void stop(PlanStatus status, std::string reason);
 
  private:
-  /// The clock is read, and a cancel looked for, once in so many expansions.
-  static constexpr std::size_t kInterval = 128;
+  /// The clock is read once in so many expansions.
+  static constexpr std::size_t kClockInterval = 32;
 
   bool goesOn(const SearchStatistics& statistics);
 
