@@ -124,20 +124,20 @@ std::optional<std::vector<StatePath>> bestPath(std::size_t num_states, StateId s
   reached[start].rank = 0;
   open.push(static_cast<std::uint64_t>(least), {0, start});
   while (!open.empty()) {
-    const auto [so_far, state] = open.pop();
-    if (so_far != reached[state].rank) continue;  // a better way came by
+    const best_path::OpenWay way = open.pop();
+    if (way.rank != reached[way.state].rank) continue;  // a better one came by
     if (!guard.expand(statistics)) return std::vector<StatePath>();
-    if (state == goal) return std::vector{pathTo(goal, reached, steps)};
-    if (so_far > kMostRank || stepsOf(so_far) >= longest) return std::nullopt;
-    steps.forEach(state, [&](const Successor& step) {
-      const PathRank rank = so_far + step.cost;
+    if (way.state == goal) return std::vector{pathTo(goal, reached, steps)};
+    if (way.rank > kMostRank || stepsOf(way.rank) >= longest) return std::nullopt;
+    steps.forEach(way.state, [&](const Successor& step) {
+      const PathRank rank = way.rank + step.cost;
       const auto there = reached[step.state];
       if (rank >= there.rank) return;
       const PathRank rest = heuristic(step.state);
       if (rest == kOutOfReach) return;
       ++statistics.generated;
       there.rank = rank;
-      there.parent = state;
+      there.parent = way.state;
       open.push(static_cast<std::uint64_t>(rank + rest), {rank, step.state});
     });
   }
