@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "conceptplan/domain/model/symbolic_model.hpp"
-#include "symbol_index.hpp"
+#include "symbol_table.hpp"
 
 namespace conceptplan {
 

@@ -116,7 +116,16 @@ void compileLargeBench(benchmark::State& state) {
 
 using Vertex = std::uint32_t;
 
+// Unless a graph says otherwise, its vertices are the numbers of our states.
 StateId stateOf(Vertex vertex) { return static_cast<StateId>(vertex); }
+template <typename Graph>
+Vertex vertexOf(StateId state, const Graph&) {
+  return static_cast<Vertex>(state);
+}
+template <typename Graph>
+boost::typed_identity_property_map<Vertex> indicesOf(const Graph&) {
+  return {};
+}
 
 /// Our successor function as an incidence graph of Boost.Graph.
 struct OurGraph {
@@ -175,9 +184,6 @@ auto weightsOf(const OurGraph&) {
       [](const OurGraph::Edge& edge) { return edge.cost; });
 }
 
-boost::typed_identity_property_map<Vertex> indicesOf(const OurGraph&) { return {}; }
-Vertex vertexOf(StateId state, const OurGraph&) { return static_cast<Vertex>(state); }
-
 struct EdgeCost {
   PathCost cost;
 };
@@ -185,8 +191,6 @@ using ItsGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_
                                                     boost::no_property, Vertex, Vertex>;
 
 auto weightsOf(const ItsGraph& graph) { return boost::get(&EdgeCost::cost, graph); }
-boost::typed_identity_property_map<Vertex> indicesOf(const ItsGraph&) { return {}; }
-Vertex vertexOf(StateId state, const ItsGraph&) { return static_cast<Vertex>(state); }
 
 ItsGraph itsGraph() {
   const LargeBench& bench = largeBench();
