@@ -12,8 +12,8 @@
 
 namespace conceptplan {
 
-/// The one best path as `severalPaths` orders paths, in a list of one, or an empty list if there is
-/// no path or a limit strikes. Each state where the search comes has a record of 12 bytes and is
+/// A best path as `severalPaths` orders paths, in a list of one, or an empty list if there is no
+/// path or a limit strikes. Each state where the search comes has a record of 12 bytes and is
 /// expanded once.
 ///
 /// Nothing if one record a state cannot tell: a state was as far from the start as the horizon
@@ -29,8 +29,8 @@ namespace conceptplan {
 template <typename Steps, typename Heuristic>
 std::optional<std::vector<StatePath>> bestPath(std::size_t num_states, StateId start, StateId goal,
                                                const Steps& steps, const Heuristic& heuristic,
-                                               std::size_t horizon, SearchGuard& guard,
-                                               SearchStatistics& statistics) {
+                                               std::size_t horizon, TieOrder ties,
+                                               SearchGuard& guard, SearchStatistics& statistics) {
   const PathRank least = heuristic(start);
   if (least == kOutOfReach) return std::vector<StatePath>();
   const std::size_t longest = std::min(horizon, kMostSteps);
@@ -39,7 +39,7 @@ std::optional<std::vector<StatePath>> bestPath(std::size_t num_states, StateId s
     PathRank rank;
     StateId state;
   };
-  RadixQueue<OpenWay> open;
+  RadixQueue<OpenWay> open(ties);
   reached[start].rank = 0;
   open.push(static_cast<std::uint64_t>(least), {0, start});
   while (!open.empty()) {

@@ -28,7 +28,7 @@ inline constexpr PathRank kMostRank = kOutOfReach - 2 * kFarthest;
 
 constexpr PathCost costOf(PathRank rank) { return rank / kStepsPerRank; }
 constexpr std::size_t stepsOf(PathRank rank) {
-  return static_cast<std::size_t>(rank % kStepsPerRank);
+  return static_cast<std::uint64_t>(rank) % kStepsPerRank;
 }
 
 /// @pre cost <= costOf(kMostRank), steps <= kMostSteps

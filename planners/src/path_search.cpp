@@ -11,13 +11,19 @@
 namespace conceptplan {
 namespace {
 
-/// What waits to be expanded; worse is less.
+/// What waits to be expanded.
 struct OpenPath {
   PathRank rank;
   std::uint32_t node;
+};
 
-  bool operator<(const OpenPath& other) const {
-    return rank != other.rank ? rank > other.rank : node > other.node;
+/// Whether the first path is to wait for the second.
+struct IsWorse {
+  TieOrder ties;
+
+  bool operator()(const OpenPath& a, const OpenPath& b) const {
+    if (a.rank != b.rank) return a.rank > b.rank;
+    return ties == TieOrder::kOldestFirst ? a.node > b.node : a.node < b.node;
   }
 };
 
@@ -112,7 +118,7 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
   std::vector<StatePath> found;
   PathTree tree(start);
   ExpandedLengths expanded(num_states);
-  std::priority_queue<OpenPath> open;
+  std::priority_queue<OpenPath, std::vector<OpenPath>, IsWorse> open(IsWorse{options.ties});
   std::vector<Successor> next;
   if (heuristic(start) != kOutOfReach) open.push({heuristic(start), 0});
   while (!open.empty() && found.size() < options.top) {
@@ -143,12 +149,13 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
 std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_threshold,
                                      StateId start, StateId goal, const PathSearchOptions& options,
                                      SearchGuard& guard, SearchStatistics& statistics) {
-  // Equal ranks leave the queue in the order in which they came, so paths of one length are
-  // expanded in the order of their actions.
+  // Paths of one length are expanded in the order in which they came, that of their actions.
+  PathSearchOptions in_order = options;
+  in_order.ties = TieOrder::kOldestFirst;
   return bestPaths(
       graph.numStates(), start, goal,
       likelySuccessors(graph, legality_threshold, [](const Outcome&) { return rankOf(kNat, 1); }),
-      [](StateId) { return PathRank{0}; }, options, guard, statistics);
+      [](StateId) { return PathRank{0}; }, in_order, guard, statistics);
 }
 
 std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
@@ -156,7 +163,7 @@ std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
   const EdgesByEnd into(num_states, edges);
   std::vector<PathCost> distance(num_states, kOutOfReach);
   std::vector<bool> done(num_states, false);
-  RadixQueue<StateId> open;
+  RadixQueue<StateId> open(TieOrder::kNewestFirst);
   distance[index(goal)] = 0;
   open.push(0, goal);
   while (!open.empty()) {

@@ -19,6 +19,9 @@ struct PathSearchOptions {
   std::size_t top = 1;      ///< paths wanted
   std::size_t horizon = 0;  ///< longest path, in actions
   bool greedy = false;      ///< go by the heuristic alone, not by the cost so far
+  /// Which of equally promising paths is gone on with. The newest is mostly the nearest to the
+  /// goal. Source: M. Asai and A. Fukunaga, 2017, doi:10.1613/jair.5249.
+  TieOrder ties = TieOrder::kNewestFirst;
 };
 
 /// Paths from start to goal by best-first search, distinct and by rising cost; paths may pass the
@@ -45,8 +48,8 @@ std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId 
                                  SearchStatistics& statistics) {
   if (options.top == 1 && !options.greedy) {
     const SearchStatistics before = statistics;
-    auto best =
-        bestPath(num_states, start, goal, steps, heuristic, options.horizon, guard, statistics);
+    auto best = bestPath(num_states, start, goal, steps, heuristic, options.horizon, options.ties,
+                         guard, statistics);
     if (best) return *std::move(best);
     statistics = before;  // the other search has all the expansions that were allowed
   }

@@ -11,13 +11,18 @@
 
 namespace conceptplan {
 
-/// A queue by rising key, first in first out among equal keys, for searches in which no key is less
-/// than the last one taken: a push costs O(1), and each value is moved at most once a bit of a key.
-/// Source: R. K. Ahuja, K. Mehlhorn, J. B. Orlin and R. E. Tarjan, Faster algorithms for the
-/// shortest path problem, 1990, doi:10.1145/77600.77615 (one-level radix heap).
+/// Which of equal keys is taken first.
+enum class TieOrder { kOldestFirst, kNewestFirst };
+
+/// A queue by rising key, for searches in which no key is less than the last one taken: a push
+/// costs O(1), and each value is moved at most once a bit of a key. Source: R. K. Ahuja, K.
+/// Mehlhorn, J. B. Orlin and R. E. Tarjan, Faster algorithms for the shortest path problem, 1990,
+/// doi:10.1145/77600.77615 (one-level radix heap).
 template <typename Value>
 class RadixQueue {
  public:
+  explicit RadixQueue(TieOrder ties) : ties_(ties) {}
+
   bool empty() const { return size_ == 0; }
 
   /// @pre the key is not less than the last one taken.
@@ -27,11 +32,14 @@ class RadixQueue {
     ++size_;
   }
 
-  /// Takes the first value of least key. @pre not empty
+  /// Takes a value of least key. @pre not empty
   Value pop() {
     if (taken_ == buckets_[0].size()) refill();
     --size_;
-    return buckets_[0][taken_++].value;
+    if (ties_ == TieOrder::kOldestFirst) return buckets_[0][taken_++].value;
+    const Value newest = buckets_[0].back().value;
+    buckets_[0].pop_back();
+    return newest;
   }
 
  private:
@@ -47,8 +55,9 @@ class RadixQueue {
     buckets_[bucket].push_back(entry);
   }
 
-  /// Moves the least keys to bucket 0, which has been taken whole.
-  void refill() {
+  /// Moves the least keys to bucket 0, which has been taken whole. Kept out of the loop that asks
+  /// for it.
+  [[gnu::noinline]] void refill() {
     buckets_[0].clear();
     taken_ = 0;
     const auto least = std::find_if(buckets_.begin(), buckets_.end(),
@@ -60,9 +69,10 @@ class RadixQueue {
     least->clear();
   }
 
-  std::array<std::vector<Entry>, 65> buckets_;
+  TieOrder ties_;
+  std::array<std::vector<Entry>, 65> buckets_;  // each in the order in which its entries came
   std::uint64_t last_ = 0;
-  std::size_t taken_ = 0;  // of bucket 0
+  std::size_t taken_ = 0;  // of bucket 0, from its front
   std::size_t size_ = 0;
 };
 

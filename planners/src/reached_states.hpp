@@ -59,7 +59,8 @@ class ReachedStates {
   }
 
  private:
-  static constexpr std::size_t kPageStates = 64;
+  // A front of states comes by few of those that are near in number, so pages are small.
+  static constexpr std::size_t kPageStates = 16;
   static constexpr std::size_t kChunkPages = 32;
 
   struct Page {
