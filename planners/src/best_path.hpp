@@ -7,14 +7,17 @@
 #include <vector>
 
 #include "conceptplan/planners/search_guard.hpp"
+#include "path_rank.hpp"
 #include "radix_queue.hpp"
 #include "reached_states.hpp"
+#include "successors.hpp"
 
 namespace conceptplan {
 
-/// A best path as `severalPaths` orders paths, in a list of one, or an empty list if there is no
-/// path or a limit strikes. Each state where the search comes has a record of 12 bytes and is
-/// expanded once.
+/// A best path as `severalPaths` orders paths, with the oldest of ties first the first of its, in a
+/// list of one; or an empty list if there is no path or a limit strikes. Each state where the
+/// search comes has a record of 12 bytes, each state of the problem half a byte, and each is
+/// expanded at most once.
 ///
 /// Nothing if one record a state cannot tell: a state was as far from the start as the horizon
 /// before the goal was found, so that a longer way to some state may have hidden a shorter one that

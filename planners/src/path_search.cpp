@@ -147,15 +147,13 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
 }
 
 std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_threshold,
-                                     StateId start, StateId goal, const PathSearchOptions& options,
+                                     StateId start, StateId goal, PathSearchOptions options,
                                      SearchGuard& guard, SearchStatistics& statistics) {
-  // Paths of one length are expanded in the order in which they came, that of their actions.
-  PathSearchOptions in_order = options;
-  in_order.ties = TieOrder::kOldestFirst;
+  options.ties = TieOrder::kOldestFirst;  // so paths of one length come by their actions' order
   return bestPaths(
       graph.numStates(), start, goal,
       likelySuccessors(graph, legality_threshold, [](const Outcome&) { return rankOf(kNat, 1); }),
-      [](StateId) { return PathRank{0}; }, in_order, guard, statistics);
+      [](StateId) { return PathRank{0}; }, options, guard, statistics);
 }
 
 std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,

@@ -9,6 +9,7 @@
 #include "best_path.hpp"
 #include "conceptplan/planners/search_guard.hpp"
 #include "path_tree.hpp"
+#include "radix_queue.hpp"
 
 namespace conceptplan {
 
@@ -58,9 +59,9 @@ std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId 
 }
 
 /// Paths of the fewest actions from start to goal, distinct and by rising length; ties go by the
-/// order of the actions. Every action costs one, kNat.
+/// order of the actions, whatever `options.ties`. Every action costs one, kNat.
 std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_threshold,
-                                     StateId start, StateId goal, const PathSearchOptions& options,
+                                     StateId start, StateId goal, PathSearchOptions options,
                                      SearchGuard& guard, SearchStatistics& statistics);
 
 /// One step between two states.

@@ -36,17 +36,17 @@ class ProjectionHeuristic {
   /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.
   PathCost operator()(StateId state) const {
     static_assert(kNumConcepts < kOutOfReach / kFarthest, "sums of those in reach do not overflow");
-    std::uint64_t sum = 0;
-    std::uint64_t bits = 0;  // of all distances; those in reach have none above kFarthest's
+    std::uint64_t sum = 0;  // means nothing where a distance is kOutOfReach
+    PathCost farthest = 0;
     std::size_t first = 0;
-    graph_.states.forEachSymbol(
-        graph_.numberInReading(state), [&](std::uint32_t symbol, std::uint32_t cardinality) {
-          const auto distance = static_cast<std::uint64_t>(to_goal_[first + symbol]);
-          first += cardinality;
-          sum += distance;
-          bits |= distance;
-        });
-    if (bits >= 2 * kFarthest) return kOutOfReach;
+    graph_.states.forEachSymbol(graph_.numberInReading(state),
+                                [&](std::uint32_t symbol, std::uint32_t cardinality) {
+                                  const PathCost distance = to_goal_[first + symbol];
+                                  first += cardinality;
+                                  sum += static_cast<std::uint64_t>(distance);
+                                  farthest = std::max(farthest, distance);
+                                });
+    if (farthest == kOutOfReach) return kOutOfReach;
     return std::min(static_cast<PathCost>(sum), kFarthest);
   }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,7 +15,6 @@ namespace conceptplan {
 /// The best way found to each state of a search. States near each other share a page, which is made
 /// when the search first looks there. States that are not valid begin with a rank that no way
 /// betters.
-/// @param Steps as for `bestPath`; a reference is kept.
 template <typename Steps>
 class ReachedStates {
  public:
@@ -26,6 +24,7 @@ class ReachedStates {
     StateId& parent;  ///< no meaning where no way has been found
   };
 
+  /// @param steps as for `bestPath`; a reference is kept.
   ReachedStates(std::size_t num_states, const Steps& steps)
       : num_states_(num_states), steps_(steps), pages_(num_states / kPageStates + 1, nullptr) {}
 
@@ -38,11 +37,12 @@ class ReachedStates {
   }
 
   /// The way found to a state that has one.
-  StatePath pathTo(StateId goal) {
+  StatePath pathTo(StateId end) {
     StatePath path;
-    path.cost = costOf((*this)[goal].rank);
-    StateId state = goal;
-    for (std::size_t i = stepsOf((*this)[goal].rank); i > 0; --i) {
+    const PathRank whole = (*this)[end].rank;
+    path.cost = costOf(whole);
+    StateId state = end;
+    for (std::size_t i = stepsOf(whole); i > 0; --i) {
       const StateId before = (*this)[state].parent;
       const PathRank rank = (*this)[state].rank - (*this)[before].rank;
       std::optional<Action> action;
@@ -59,7 +59,7 @@ class ReachedStates {
   }
 
  private:
-  // A front of states comes by few of those that are near in number, so pages are small.
+  // A search looks at few of the states near each other in number, so pages are small.
   static constexpr std::size_t kPageStates = 16;
   static constexpr std::size_t kChunkPages = 32;
 

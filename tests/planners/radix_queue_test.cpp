@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <map>
 #include <random>
 
@@ -39,25 +40,33 @@ TEST(RadixQueue, TakesValuesByRisingKeyAndTheNewestOfEqualKeys) {
 }
 
 // The heap of Ahuja et al. 1990 against a sorted map.
-TEST(RadixQueue, AgreesWithASortedQueueOnDrawnMonotoneWork) {
+void expectTheOrderOfASortedQueue(TieOrder ties) {
   std::mt19937_64 random(1);
-  RadixQueue<int> queue(TieOrder::kOldestFirst);
+  RadixQueue<int> queue(ties);
   std::multimap<std::uint64_t, int> sorted;  // equal keys stay in the order of insertion
   std::uint64_t last = 0;
-  for (int value = 0; value < 20'000; ++value) {
-    // Keys near the last one and far from it, so that all buckets are used.
-    const std::uint64_t key = last + (random() >> (4 + random() % 60));
+  const auto expectNext = [&] {
+    last = sorted.begin()->first;
+    const auto next =
+        ties == TieOrder::kOldestFirst ? sorted.begin() : std::prev(sorted.upper_bound(last));
+    ASSERT_EQ(queue.pop(), next->second);
+    sorted.erase(next);
+  };
+  std::uint64_t key = 0;
+  for (int value = 0; value < 20'000 && last < std::uint64_t{1} << 60; ++value) {
+    // Keys near the last one and far from it, so that all buckets are used, and equal ones.
+    if (key < last || random() % 4 != 0) key = last + (random() >> (4 + random() % 60));
     queue.push(key, value);
     sorted.emplace(key, value);
-    while (!sorted.empty() && random() % 2 == 0) {
-      last = sorted.begin()->first;
-      ASSERT_EQ(queue.pop(), sorted.begin()->second);
-      sorted.erase(sorted.begin());
-    }
-    if (last > std::uint64_t{1} << 60) break;
+    while (!sorted.empty() && random() % 2 == 0) ASSERT_NO_FATAL_FAILURE(expectNext());
   }
-  for (const auto& [key, value] : sorted) ASSERT_EQ(queue.pop(), value);
+  while (!sorted.empty()) ASSERT_NO_FATAL_FAILURE(expectNext());
   EXPECT_TRUE(queue.empty());
+}
+
+TEST(RadixQueue, AgreesWithASortedQueueOnDrawnMonotoneWork) {
+  expectTheOrderOfASortedQueue(TieOrder::kOldestFirst);
+  expectTheOrderOfASortedQueue(TieOrder::kNewestFirst);
 }
 
 }  // namespace
