@@ -160,16 +160,15 @@ std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
                                  std::span<const StateEdge> edges) {
   const EdgesByEnd into(num_states, edges);
   std::vector<PathCost> distance(num_states, kOutOfReach);
-  std::vector<bool> done(num_states, false);
   RadixQueue<StateId> open(TieOrder::kNewestFirst);
   distance[index(goal)] = 0;
   open.push(0, goal);
   while (!open.empty()) {
-    const StateId state = open.pop();
-    if (done[index(state)]) continue;
-    done[index(state)] = true;
+    const auto [key, state] = open.pop();
+    const auto far = static_cast<PathCost>(key);
+    if (far != distance[index(state)]) continue;  // a better way came by
     for (const StateEdge& edge : into[state]) {
-      const PathCost longer = std::min(distance[index(state)] + edge.cost, kFarthest);
+      const PathCost longer = std::min(far + edge.cost, kFarthest);
       if (longer >= distance[index(edge.from)]) continue;
       distance[index(edge.from)] = longer;
       open.push(static_cast<std::uint64_t>(longer), edge.from);

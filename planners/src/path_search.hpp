@@ -8,6 +8,7 @@
 
 #include "best_path.hpp"
 #include "conceptplan/planners/search_guard.hpp"
+#include "guided_steps.hpp"
 #include "path_tree.hpp"
 #include "radix_queue.hpp"
 
@@ -42,15 +43,27 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
 
 /// As `severalPaths`; a single path is left to `bestPath` where it can tell.
 /// @param steps as for `bestPath`, and a `SuccessorFunction` with PathRanks as costs.
+/// @param heuristic a consistent PathHeuristic, at most kFarthest or kOutOfReach, 0 at the goal. It
+/// may know how to reduce the steps' costs beforehand, `heuristic.reduced(steps)`.
 template <typename Steps, typename Heuristic>
 std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId goal,
                                  const Steps& steps, const Heuristic& heuristic,
                                  const PathSearchOptions& options, SearchGuard& guard,
                                  SearchStatistics& statistics) {
   if (options.top == 1 && !options.greedy) {
+    const PathRank least = heuristic(start);
+    if (least == kOutOfReach) return {};
     const SearchStatistics before = statistics;
-    auto best = bestPath(num_states, start, goal, steps, heuristic, options.horizon, options.ties,
-                         guard, statistics);
+    const auto search = [&](const auto& guided) {
+      return bestPath(num_states, start, goal, least, guided, options.horizon, options.ties, guard,
+                      statistics);
+    };
+    std::optional<std::vector<StatePath>> best;
+    if constexpr (requires { heuristic.reduced(steps); }) {
+      best = search(heuristic.reduced(steps));
+    } else {
+      best = search(GuidedSteps(steps, heuristic));
+    }
     if (best) return *std::move(best);
     statistics = before;  // the other search has all the expansions that were allowed
   }

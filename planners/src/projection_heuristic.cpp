@@ -15,6 +15,9 @@ struct SymbolStep {
   PathCost cost;
 };
 
+/// Sums of these are at most kFarthest.
+constexpr PathCost kFarthestSymbol = kFarthest / kNumConcepts;
+
 /// Dijkstra's algorithm from the goal over the reversed steps.
 std::vector<PathCost> symbolDistances(std::vector<SymbolStep> steps, std::size_t symbols,
                                       std::size_t goal) {
@@ -33,7 +36,7 @@ std::vector<PathCost> symbolDistances(std::vector<SymbolStep> steps, std::size_t
         steps.begin(), steps.end(), symbol,
         [](const SymbolStep& entry, std::size_t wanted) { return entry.to < wanted; });
     for (; step != steps.end() && step->to == symbol; ++step) {
-      const PathCost longer = std::min(cost + step->cost, kFarthest);
+      const PathCost longer = std::min(cost + step->cost, kFarthestSymbol);
       if (longer >= distance[step->from]) continue;
       distance[step->from] = longer;
       open.push({distance[step->from], step->from});
@@ -53,11 +56,10 @@ SymbolIndex openConcepts(const GraphTables& graph, const SymbolIndex& context) {
 
 ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
                                          const StateSteps& successors)
-    : graph_(graph.tables()) {
+    : graph_(graph.tables()), reading_(graph_.readingOf(goal)) {
   std::array<std::vector<SymbolStep>, kNumConcepts> projected;
-  const std::size_t reading = graph_.readingOf(goal);
-  const std::size_t first_state = reading * graph_.states.size();
-  for (const StateSteps::ContextSteps& all : successors.ofReading(reading)) {
+  const std::size_t first_state = reading_ * graph_.states.size();
+  for (const StateSteps::ContextSteps& all : successors.ofReading(reading_)) {
     const SymbolIndex open = openConcepts(graph_, all.contexts);
     for (std::size_t context = 0; context < all.contexts.size(); ++context) {
       const Symbols in_context = all.contexts.symbols(context, graph_.fixed);
@@ -87,6 +89,31 @@ ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
         symbolDistances(std::move(projected[k]), graph_.cardinality[k], index(wanted[k]));
     to_goal_.insert(to_goal_.end(), distances.begin(), distances.end());
   }
+}
+
+ProjectionHeuristic::ConceptDistances ProjectionHeuristic::distances(std::size_t number) const {
+  ConceptDistances distances{};
+  std::size_t axis = 0;
+  std::size_t first = 0;
+  graph_.states.forEachSymbol(number, [&](std::uint32_t symbol, std::uint32_t cardinality) {
+    distances[axis++] = to_goal_[first + symbol];
+    first += cardinality;
+  });
+  return distances;
+}
+
+StateSteps ProjectionHeuristic::reduced(const StateSteps& steps) const {
+  return steps.atCosts(reading_, [&](std::size_t from, const StateSteps::Step& step) {
+    const ConceptDistances before = distances(from);
+    const ConceptDistances after = distances(from + static_cast<std::size_t>(step.shift));
+    PathCost cost = step.cost;
+    for (std::size_t k = 0; k < kNumConcepts; ++k) {
+      if (before[k] == after[k]) continue;
+      if (before[k] == kOutOfReach || after[k] == kOutOfReach) return kOutOfReach;
+      cost += after[k] - before[k];
+    }
+    return cost;
+  });
 }
 
 }  // namespace conceptplan

@@ -35,7 +35,6 @@ class ProjectionHeuristic {
 
   /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.
   PathCost operator()(StateId state) const {
-    static_assert(kNumConcepts < kOutOfReach / kFarthest, "sums of those in reach do not overflow");
     std::uint64_t sum = 0;  // means nothing where a distance is kOutOfReach
     PathCost farthest = 0;
     std::size_t first = 0;
@@ -46,12 +45,20 @@ class ProjectionHeuristic {
                                   sum += static_cast<std::uint64_t>(distance);
                                   farthest = std::max(farthest, distance);
                                 });
-    if (farthest == kOutOfReach) return kOutOfReach;
-    return std::min(static_cast<PathCost>(sum), kFarthest);
+    return farthest == kOutOfReach ? kOutOfReach : static_cast<PathCost>(sum);
   }
 
+  /// The steps of the goal's reading at reduced costs, as `GuidedSteps`, worked out once for each
+  /// context: what a step changes is part of its context.
+  StateSteps reduced(const StateSteps& steps) const;
+
  private:
+  /// Of each concept that the states index, in their order, from its symbol to the goal's; then 0.
+  using ConceptDistances = std::array<PathCost, kNumConcepts>;
+  ConceptDistances distances(std::size_t number) const;
+
   const GraphTables& graph_;
+  std::size_t reading_;
   std::vector<PathCost> to_goal_;  // of each symbol of each concept that the states index
 };
 

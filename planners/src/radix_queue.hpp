@@ -32,22 +32,22 @@ class RadixQueue {
     ++size_;
   }
 
-  /// Takes a value of least key. @pre not empty
-  Value pop() {
-    if (taken_ == buckets_[0].size()) refill();
-    --size_;
-    if (ties_ == TieOrder::kOldestFirst) return buckets_[0][taken_++].value;
-    const Value newest = buckets_[0].back().value;
-    buckets_[0].pop_back();
-    return newest;
-  }
-
- private:
   struct Entry {
     std::uint64_t key;
     Value value;
   };
 
+  /// Takes an entry of least key. @pre not empty
+  Entry pop() {
+    if (taken_ == buckets_[0].size()) refill();
+    --size_;
+    if (ties_ == TieOrder::kOldestFirst) return buckets_[0][taken_++];
+    const Entry newest = buckets_[0].back();
+    buckets_[0].pop_back();
+    return newest;
+  }
+
+ private:
   /// Bucket 0 has the keys that equal the last one taken; bucket b those whose highest bit that
   /// differs from it is bit b - 1. So every key in it is less than those of later buckets.
   void add(const Entry& entry) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,13 +37,11 @@ class ReachedStates {
     return {page->ranks[number % kPageStates], page->parents[number % kPageStates]};
   }
 
-  /// The way found to a state that has one.
-  StatePath pathTo(StateId end) {
+  /// The way found to a state that has one, its cost the rank at which the state is reached.
+  StatePath pathBetween(StateId start, StateId end) {
     StatePath path;
-    const PathRank whole = (*this)[end].rank;
-    path.cost = costOf(whole);
-    StateId state = end;
-    for (std::size_t i = stepsOf(whole); i > 0; --i) {
+    path.cost = costOf((*this)[end].rank);
+    for (StateId state = end; state != start;) {
       const StateId before = (*this)[state].parent;
       const PathRank rank = (*this)[state].rank - (*this)[before].rank;
       std::optional<Action> action;
@@ -77,7 +76,8 @@ class ReachedStates {
     const std::size_t states = std::min(kPageStates, num_states_ - first_state);
     for (std::size_t i = 0; i < states; ++i) {
       const bool is_valid = steps_.valid(static_cast<StateId>(first_state + i));
-      page.ranks[i] = -PathRank{is_valid} & kOutOfReach;  // a branch would often be mispredicted
+      // The greatest number or, one more, the least; a branch would often be mispredicted.
+      page.ranks[i] = static_cast<PathRank>(std::uint64_t{kOutOfReach} + (is_valid ? 0 : 1));
     }
     return &page;
   }

@@ -33,6 +33,25 @@ StateSteps::StateSteps(const SymbolGraph& graph, double legality_threshold, cons
   }
 }
 
+StateSteps StateSteps::atCosts(
+    std::size_t reading, const std::function<PathCost(std::size_t from, const Step&)>& cost) const {
+  StateSteps others(graph_);
+  for (const ContextSteps& all : steps_[reading]) {
+    ContextSteps changed{all.contexts, {0}, {}};
+    all.contexts.forEach(Symbols{}, [&](const Symbols& symbols) {
+      const std::size_t context = changed.first.size() - 1;
+      for (std::uint32_t i = all.first[context]; i < all.first[context + 1]; ++i) {
+        Step step = all.steps[i];
+        step.cost = cost(graph_.states(symbols), step);
+        if (step.cost != kOutOfReach) changed.steps.push_back(step);
+      }
+      changed.first.push_back(static_cast<std::uint32_t>(changed.steps.size()));
+    });
+    others.steps_[reading].push_back(std::move(changed));
+  }
+  return others;
+}
+
 StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
                             const std::function<PathCost(const Outcome&)>& cost) {
   return {

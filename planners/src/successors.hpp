@@ -69,10 +69,18 @@ class StateSteps {
     });
   }
 
+  /// The same steps at other costs, in one reading alone.
+  /// @param cost of a step from the state of this number among those of the reading, or from any
+  /// other in the same context; kOutOfReach leaves it out.
+  StateSteps atCosts(std::size_t reading,
+                     const std::function<PathCost(std::size_t from, const Step&)>& cost) const;
+
   /// All steps of the reading, where they are valid and where they are not.
   const std::vector<ContextSteps>& ofReading(std::size_t reading) const { return steps_[reading]; }
 
  private:
+  explicit StateSteps(const GraphTables& graph) : graph_(graph), steps_(graph.readings.size()) {}
+
   const GraphTables& graph_;
   std::vector<std::vector<ContextSteps>> steps_;  // [readings]
 };

@@ -38,21 +38,20 @@ std::optional<std::vector<StatePath>> search(const SuccessorFunction& successors
                                              std::size_t horizon = kFar) {
   SearchGuard guard(SearchLimits{});
   SearchStatistics statistics;
-  return bestPath(static_cast<std::size_t>(states), StateId{0}, StateId{states - 1},
-                  FunctionSteps(successors), noGuidance, horizon, TieOrder::kNewestFirst, guard,
-                  statistics);
+  return bestPath(static_cast<std::size_t>(states), StateId{0}, StateId{states - 1}, 0,
+                  FunctionSteps(successors), horizon, TieOrder::kNewestFirst, guard, statistics);
 }
 
 /// The first of several best paths, which are found without `bestPath`.
 std::vector<StatePath> firstOfSeveral(const SymbolGraph& graph, const StateSteps& steps,
-                                      const PathHeuristic& heuristic, TieOrder ties) {
+                                      TieOrder ties) {
   SearchLimits limits;
   limits.max_expansions = 1'000'000;
   SearchGuard guard(limits);
   SearchStatistics statistics;
   std::vector<StatePath> paths =
       bestPaths(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(), steps,
-                heuristic, {2, kFar, false, ties}, guard, statistics);
+                noGuidance, {2, kFar, false, ties}, guard, statistics);
   if (paths.size() > 1) paths.resize(1);
   return paths;
 }
@@ -72,32 +71,43 @@ std::optional<PathCost> costAlong(const StatePath& path, StateId start, const St
   return cost;
 }
 
+/// @param guided the steps, maybe at reduced costs.
+template <typename Steps>
+void expectABestPath(const SymbolGraph& graph, const StateSteps& steps, PathRank least,
+                     const Steps& guided) {
+  const StateId start = graph.mostProbableStart();
+  const StateId goal = graph.mostProbableGoal();
+  for (const TieOrder ties : {TieOrder::kOldestFirst, TieOrder::kNewestFirst}) {
+    SearchGuard guard(SearchLimits{});
+    SearchStatistics statistics;
+    const auto found =
+        bestPath(graph.numStates(), start, goal, least, guided, kFar, ties, guard, statistics);
+    const std::vector<StatePath> expected = firstOfSeveral(graph, steps, ties);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), expected.size());
+    if (expected.empty()) continue;
+    const StatePath& path = found->front();
+    EXPECT_EQ(path.cost, expected.front().cost);
+    EXPECT_EQ(path.actions.size(), expected.front().actions.size());
+    EXPECT_EQ(costAlong(path, start, steps), path.cost);
+    EXPECT_EQ(path.states.empty() ? start : path.states.back(), goal);
+    // The searches may prefer different ones of equal paths.
+    if (ties == TieOrder::kNewestFirst || least != 0) continue;
+    EXPECT_EQ(path.actions, expected.front().actions);
+    EXPECT_EQ(path.states, expected.front().states);
+  }
+}
+
 void expectABestPath(const SymbolGraph& graph) {
   const StateSteps steps = rankedSuccessors(graph, kThreshold, 0.01);
   const ProjectionHeuristic projection(graph, graph.mostProbableGoal(), steps);
-  for (const PathHeuristic& heuristic : {PathHeuristic(noGuidance), PathHeuristic(projection)}) {
-    for (const TieOrder ties : {TieOrder::kOldestFirst, TieOrder::kNewestFirst}) {
-      SearchLimits limits;
-      limits.max_expansions = 1'000'000;
-      SearchGuard guard(limits);
-      SearchStatistics statistics;
-      const auto found =
-          bestPath(graph.numStates(), graph.mostProbableStart(), graph.mostProbableGoal(), steps,
-                   heuristic, kFar, ties, guard, statistics);
-      const std::vector<StatePath> expected = firstOfSeveral(graph, steps, heuristic, ties);
-      ASSERT_TRUE(found);
-      ASSERT_EQ(found->size(), expected.size());
-      if (expected.empty()) continue;
-      EXPECT_EQ(found->front().cost, expected.front().cost);
-      EXPECT_EQ(found->front().actions.size(), expected.front().actions.size());
-      EXPECT_EQ(costAlong(found->front(), graph.mostProbableStart(), steps), found->front().cost);
-      ASSERT_EQ(
-          found->front().states.empty() ? graph.mostProbableStart() : found->front().states.back(),
-          graph.mostProbableGoal());
-      if (ties == TieOrder::kNewestFirst) continue;  // the searches may prefer different ones
-      EXPECT_EQ(found->front().actions, expected.front().actions);
-      EXPECT_EQ(found->front().states, expected.front().states);
-    }
+  expectABestPath(graph, steps, 0, steps);
+  const PathRank least = projection(graph.mostProbableStart());
+  if (least == kOutOfReach) {
+    EXPECT_THAT(firstOfSeveral(graph, steps, TieOrder::kOldestFirst), IsEmpty());
+  } else {
+    expectABestPath(graph, steps, least, GuidedSteps(steps, projection));
+    expectABestPath(graph, steps, least, projection.reduced(steps));
   }
 }
 

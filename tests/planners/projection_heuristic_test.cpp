@@ -45,7 +45,33 @@ void expectAdmissibleAndConsistent(const SymbolGraph& graph, StateId goal,
   }
 }
 
+/// Steps at reduced costs are those that know the distances of all concepts, at c + h(s') - h(s).
+void expectReducedCosts(const SymbolGraph& graph, StateId goal, const StateSteps& successors) {
+  const ProjectionHeuristic heuristic(graph, goal, successors);
+  const StateSteps reduced = heuristic.reduced(successors);
+  const GuidedSteps expected(successors, heuristic);
+  std::vector<Successor> next;
+  for (std::size_t i = 0; i < graph.numStates(); ++i) {
+    const auto state = static_cast<StateId>(i);
+    if (graph.readingOf(state) != graph.readingOf(goal) || heuristic(state) == kOutOfReach)
+      continue;
+    reduced(state, next);
+    auto step = next.begin();
+    expected.forEach(state, [&](const Successor& wanted) {
+      if (!graph.valid(wanted.state)) return;
+      ASSERT_NE(step, next.end());
+      EXPECT_EQ(step->action, wanted.action);
+      EXPECT_EQ(step->state, wanted.state);
+      EXPECT_EQ(step->cost, wanted.cost);
+      EXPECT_GE(step->cost, 0);
+      ++step;
+    });
+    EXPECT_EQ(step, next.end());
+  }
+}
+
 void expectAdmissibleAndConsistent(const SymbolGraph& graph, StateId goal) {
+  expectReducedCosts(graph, goal, rankedSuccessors(graph, kThreshold, 0.01));
   expectAdmissibleAndConsistent(graph, goal, likelySuccessors(graph, kThreshold, 0.01));
   expectAdmissibleAndConsistent(graph, goal, rankedSuccessors(graph, kThreshold, 0.01));
 }

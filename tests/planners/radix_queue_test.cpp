@@ -15,12 +15,12 @@ TEST(RadixQueue, TakesValuesByRisingKeyAndTheOldestOfEqualKeys) {
   queue.push(3, 2);
   queue.push(7, 3);
   queue.push(3, 4);
-  EXPECT_EQ(queue.pop(), 2);
+  EXPECT_EQ(queue.pop().value, 2);
   queue.push(3, 5);  // as small as the last one taken
-  EXPECT_EQ(queue.pop(), 4);
-  EXPECT_EQ(queue.pop(), 5);
-  EXPECT_EQ(queue.pop(), 1);
-  EXPECT_EQ(queue.pop(), 3);
+  EXPECT_EQ(queue.pop().value, 4);
+  EXPECT_EQ(queue.pop().value, 5);
+  EXPECT_EQ(queue.pop().value, 1);
+  EXPECT_EQ(queue.pop().value, 3);
   EXPECT_TRUE(queue.empty());
 }
 
@@ -30,12 +30,12 @@ TEST(RadixQueue, TakesValuesByRisingKeyAndTheNewestOfEqualKeys) {
   queue.push(3, 2);
   queue.push(7, 3);
   queue.push(3, 4);
-  EXPECT_EQ(queue.pop(), 4);
+  EXPECT_EQ(queue.pop().value, 4);
   queue.push(3, 5);  // as small as the last one taken
-  EXPECT_EQ(queue.pop(), 5);
-  EXPECT_EQ(queue.pop(), 2);
-  EXPECT_EQ(queue.pop(), 3);
-  EXPECT_EQ(queue.pop(), 1);
+  EXPECT_EQ(queue.pop().value, 5);
+  EXPECT_EQ(queue.pop().value, 2);
+  EXPECT_EQ(queue.pop().value, 3);
+  EXPECT_EQ(queue.pop().value, 1);
   EXPECT_TRUE(queue.empty());
 }
 
@@ -49,7 +49,7 @@ void expectTheOrderOfASortedQueue(TieOrder ties) {
     last = sorted.begin()->first;
     const auto next =
         ties == TieOrder::kOldestFirst ? sorted.begin() : std::prev(sorted.upper_bound(last));
-    ASSERT_EQ(queue.pop(), next->second);
+    ASSERT_EQ(queue.pop().value, next->second);
     sorted.erase(next);
   };
   std::uint64_t key = 0;
