@@ -1,5 +1,6 @@
 #include "scenario_check.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include "conceptplan/domain/scenario/scenario_file.hpp"
@@ -83,6 +84,19 @@ JointPlanner makeJointPlanner(const Scenario& scenario, const std::string& name,
   return placed(scenario, [&] {
     return registry.makeJoint(name, scenario.planner.options, scenario.file.string());
   });
+}
+
+std::optional<double> legalityThreshold(const Scenario& scenario, const std::string& name,
+                                        const PlannerRegistry& registry) {
+  static const std::string kOption = PlannerOption::legalityThreshold().name;
+  const PlannerEntry* entry = registry.find(name);
+  if (entry == nullptr) return std::nullopt;
+  const bool has_one = std::ranges::any_of(
+      entry->options, [](const PlannerOption& option) { return option.name == kOption; });
+  if (!has_one) return std::nullopt;
+  const OptionTexts texts =
+      name == scenario.planner.name ? scenario.planner.options : OptionTexts{};
+  return OptionValues(entry->options, texts, scenario.file.string()).number(kOption);
 }
 
 std::filesystem::path modelFolder(const Scenario& scenario) {

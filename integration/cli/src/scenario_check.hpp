@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "conceptplan/domain/scenario/scenario.hpp"
@@ -26,6 +27,11 @@ std::unique_ptr<Planner> makePlanner(const Scenario& scenario, const std::string
 /// The same for a scenario with several targets.
 JointPlanner makeJointPlanner(const Scenario& scenario, const std::string& name,
                               const PlannerRegistry& registry);
+
+/// The legality threshold of that planner, with the scenario's options if the scenario names the
+/// same one; nothing if the planner has none. @pre `makePlanner` or `makeJointPlanner` makes it
+std::optional<double> legalityThreshold(const Scenario& scenario, const std::string& name,
+                                        const PlannerRegistry& registry);
 
 /// The folder of the scenario's model. @throws InputError with the line of the key.
 std::filesystem::path modelFolder(const Scenario& scenario);

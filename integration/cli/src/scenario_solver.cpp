@@ -19,6 +19,8 @@ SolvedScenario ScenarioSolver::solve(const std::filesystem::path& file, const st
     loadModel();
     solved.solution = solveScenario(solved.scenario, *solved.model, search, options);
   }
+  solved.solution.legality_threshold =
+      legalityThreshold(solved.scenario, solved.planner, registry_);
   return solved;
 }
 

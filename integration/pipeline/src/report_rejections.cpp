@@ -74,8 +74,10 @@ std::string explanation(const Report& report, const Reason& reason, const Group&
   switch (std::get<0>(reason)) {
     case Invalidity::kNone:
       return times + ": the training data take this action there in at most " +
-             percent(group.highest) + " of the cases; " + percent(report.legality_threshold) +
-             " are needed.";
+             percent(group.highest) + " of the cases" +
+             (report.legality_threshold
+                  ? "; more than " + percent(*report.legality_threshold) + " are needed."
+                  : ".");
     case Invalidity::kCollision:
       return times + " would bring the target into it.";
     case Invalidity::kWorkbenchEdge:

@@ -291,6 +291,7 @@ Report reportOf(const Scenario& scenario, const Model& model, const Solution& so
   report.grounding = model.symbolic().grounding;
   report.doubts = solution.doubts;
   report.result = solution.result;
+  report.legality_threshold = solution.legality_threshold;
   if (solution.refinement) report.motion = motionOf(*solution.refinement);
   for (const RgbdImage& frame : solution.frames) report.frames.push_back({frame, {}});
   if (scenario.reference) {

@@ -40,6 +40,15 @@ TEST(SolveScenario, SaysWhyThereIsNoPlan) {
   EXPECT_TRUE(solution.frames.empty());
 }
 
+TEST(SolveScenario, ThePlannersThresholdIsToldInTheReport) {
+  const Scenario scenario = shipped("infeasible-0001");
+  Solution solution = solveScenario(scenario, shippedModel(), BeliefPlanner());
+  EXPECT_EQ(reportOf(scenario, shippedModel(), solution, "belief", 0).legality_threshold,
+            std::nullopt);
+  solution.legality_threshold = 0.02;
+  EXPECT_EQ(reportOf(scenario, shippedModel(), solution, "belief", 0).legality_threshold, 0.02);
+}
+
 TEST(SolveScenario, FindsTheTargetByItself) {
   Scenario scenario = shipped("level2-0001");
   const Solution told = solveScenario(scenario, shippedModel(), BeliefPlanner());

@@ -97,7 +97,7 @@ TEST(Report, GroupsRejectionsByReason) {
   EXPECT_EQ(count(page, "<article"), 3U);
   EXPECT_THAT(page, HasSubstr("Collision with Pot 2</h3><p>3 steps"));
   EXPECT_THAT(page, HasSubstr("change color is not legal</h3><p>3 steps"));
-  EXPECT_THAT(page, HasSubstr("in at most 0.2&nbsp;% of the cases"));
+  EXPECT_THAT(page, HasSubstr("in at most 0.2&nbsp;% of the cases; more than 1.0&nbsp;% are "));
   EXPECT_THAT(page, HasSubstr("Beyond the workbench</h3><p>1 step "));
 }
 

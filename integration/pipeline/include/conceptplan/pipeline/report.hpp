@@ -45,7 +45,8 @@ struct Report {
   PlanResult result;
   std::vector<ReportFrames> frames;  ///< one an action of the best plan, or none
   std::optional<ReportMotion> motion;
-  double legality_threshold = 0;  ///< below which the planner refused actions
+  /// An action was legal where its probability was greater; nothing if that is not known.
+  std::optional<double> legality_threshold;
   std::vector<std::pair<std::string, double>> times_ms;       ///< name, duration
   std::vector<std::pair<std::string, std::string>> facts;     ///< e.g. planner, seed, model
   std::vector<std::pair<std::string, std::string>> versions;  ///< of the program and libraries

@@ -50,6 +50,9 @@ struct Solution {
   std::vector<std::string>
       doubts;  ///< what in the pictures fits no learned symbol, and what was left undone
   PlanResult result;
+  /// The planner's, for `reportOf`: to be filled in by whoever made the planner, who alone knows
+  /// it.
+  std::optional<double> legality_threshold;
   std::optional<RefinementResult> refinement;  ///< of the best plan, if the scenario asks for one
   std::vector<RgbdImage> frames;  ///< as `Model::render`, of the best plan; empty if not rendered
   std::optional<Evaluation> evaluation;  ///< if there is a reference with a solution

@@ -1,0 +1,59 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "conceptplan/domain/files/atomic_file.hpp"
+#include "domain/files/temporary_folder.hpp"
+#include "integration/cli/command_runner.hpp"
+
+namespace conceptplan::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kInfeasible = CONCEPTPLAN_SCENARIOS "/infeasible-0001";
+
+/// A folder for what `plan` writes.
+class PlanCommand : public testing::Test {
+ protected:
+  CommandResult plan(const std::string& scenario, const std::vector<std::string>& options = {}) {
+    std::vector<std::string> arguments{"plan", scenario, "--no-render", "--out", out()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return runCommand(arguments);
+  }
+  std::string report() const { return readFile(folder_ / "out/report.html"); }
+
+  /// A copy of a shipped scenario whose file has one text replaced by another.
+  std::string changed(const std::string& scenario, const std::string& from,
+                      const std::string& to) const {
+    const std::filesystem::path copy = folder_ / "scenario";
+    std::filesystem::copy(scenario, copy, std::filesystem::copy_options::recursive);
+    std::string text = readFile(copy / "scenario.yaml");
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from << " is not in\n" << text;
+    writeFileAtomically(copy / "scenario.yaml", text.replace(at, from.size(), to));
+    return copy.string();
+  }
+
+  std::string out() const { return (folder_ / "out").string(); }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(PlanCommand, TheReportTellsThePlannersLegalityThreshold) {
+  ASSERT_EQ(plan(kInfeasible).exit_code, 1);
+  EXPECT_THAT(report(), HasSubstr("more than 1.0&nbsp;% are needed"));
+  const std::string scenario =
+      changed(kInfeasible, "name: belief", "name: belief, options: {legality_threshold: 0.025}");
+  ASSERT_EQ(plan(scenario).exit_code, 1);
+  EXPECT_THAT(report(), HasSubstr("more than 2.5&nbsp;% are needed"));
+  // Options are those of the scenario's own planner.
+  ASSERT_EQ(plan(scenario, {"--planner", "astar"}).exit_code, 1);
+  EXPECT_THAT(report(), HasSubstr("more than 1.0&nbsp;% are needed"));
+}
+
+}  // namespace
+}  // namespace conceptplan::cli
