@@ -97,10 +97,11 @@ std::string taskId(int level, int i) {
 TaskGenerator::TaskGenerator(const TaskOptions& options) : options_(options) {
   if (options.level < 1 || options.level > 4)
     throw std::invalid_argument("level must be in [1, 4], not " + std::to_string(options.level));
-  if (options.combination == Combination::kUnseenTask && options.level > 2)
+  if (options.combination == Combination::kUnseenTask && options.split != Split::kTrain &&
+      options.level > 2)
     throw std::invalid_argument(
-        "unseen-task combinations exist at levels 1 and 2 only, not at level " +
-        std::to_string(options.level));
+        "unseen-task combinations of the " + std::string(name(options.split)) +
+        " split exist at levels 1 and 2 only, not at level " + std::to_string(options.level));
 }
 
 Task TaskGenerator::task(int i) const {

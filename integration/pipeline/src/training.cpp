@@ -123,6 +123,7 @@ std::optional<TaskDataset> taskData(const Run& run) {
   TaskDatasetOptions wanted;
   wanted.levels = {1, 2, 3, 4};
   wanted.count = run.profile.tasks_per_level;
+  wanted.combination = Combination::kUnseenTask;  // so that evaluation has unseen tasks
   wanted.seed = run.options.seed;
   if (!complete(folder) && !generateTasks(folder, wanted, generationControl(run, "tasks-train")))
     return std::nullopt;

@@ -5,9 +5,11 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "conceptplan/domain/dataset/task_dataset_writer.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/files/checksum.hpp"
 #include "conceptplan/domain/simulation/task_generator.hpp"
 #include "domain/files/temporary_folder.hpp"
 
@@ -201,6 +203,21 @@ TEST(TaskDatasetWriter, AnInterruptedSetIsRefusedUntilItIsContinued) {
   for (const auto& frame : second.pendingFrames()) second.write(frame, smallImage(1));
   second.finish();
   EXPECT_EQ(readingFaults(folder.path()), "");
+}
+
+TEST(TaskDatasetWriter, TheTasksOfAllCombinationsStayTheSame) {
+  for (const auto& [split, checksum] :
+       {std::pair{Split::kTrain, 0x5a881788u}, std::pair{Split::kValidation, 0xdca1eeabu},
+        std::pair{Split::kTest, 0xf40ce298u}}) {
+    const TemporaryFolder folder;
+    TaskDatasetOptions options = smallOptions();
+    options.levels = {1, 2, 3, 4};
+    options.count = 50;
+    options.split = split;
+    options.seed = 31;
+    writeDataset(folder.path(), options);
+    EXPECT_EQ(crc32OfFile(folder / "tasks.jsonl"), checksum) << name(split);
+  }
 }
 
 TEST(TaskDatasetWriter, AFrameWithoutItsMaskIsPending) {

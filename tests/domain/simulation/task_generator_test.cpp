@@ -156,6 +156,24 @@ TEST(TaskGenerator, UnseenTasksUseOtherActionTypesThanTrainingTasks) {
   EXPECT_EQ(trained.size(), 4u) << "every move must occur in training";
 }
 
+TEST(TaskGenerator, NoTrainingPlanOfAnyLevelIsHeldOutUnderUnseenTask) {
+  for (int level = 1; level <= 4; ++level) {
+    const TaskGenerator generator({.level = level, .combination = Combination::kUnseenTask});
+    std::set<Action> trained;
+    for (int i = 0; i < 1000; ++i) {
+      const Task task = generator.task(i);
+      EXPECT_FALSE(isHeldOut(task.reference)) << task.id;
+      EXPECT_EQ(splitOf(task.initial, task.goal), Split::kTrain);
+      trained.insert(task.reference.begin(), task.reference.end());
+    }
+    EXPECT_EQ(trained.size(), level < 3    ? 4u
+                              : level == 3 ? 5u
+                                           : 7u)
+        << "every action of the level must occur in training";
+    EXPECT_EQ(generator.task(17).reference, TaskGenerator(generator.options()).task(17).reference);
+  }
+}
+
 TEST(TaskGenerator, HeldOutSetsAreThoseOfTwoListedPairs) {
   using enum Action;
   EXPECT_FALSE(isHeldOut({}));
@@ -169,9 +187,12 @@ TEST(TaskGenerator, HeldOutSetsAreThoseOfTwoListedPairs) {
 TEST(TaskGenerator, WrongOptionsAreNamed) {
   EXPECT_THAT([] { TaskGenerator({.level = 5}); },
               testing::ThrowsMessage<std::invalid_argument>("level must be in [1, 4], not 5"));
-  EXPECT_THAT([] { TaskGenerator({.level = 3, .combination = Combination::kUnseenTask}); },
+  const TaskOptions unseen{
+      .level = 3, .split = Split::kTest, .combination = Combination::kUnseenTask};
+  EXPECT_THAT([&] { TaskGenerator{unseen}; },
               testing::ThrowsMessage<std::invalid_argument>(
-                  "unseen-task combinations exist at levels 1 and 2 only, not at level 3"));
+                  "unseen-task combinations of the test split exist at levels 1 and 2 only, not "
+                  "at level 3"));
   EXPECT_THROW(TaskGenerator(TaskOptions{}).task(-1), std::invalid_argument);
 }
 

@@ -42,8 +42,8 @@ TEST(GenerateTasks, TheSeedDecidesAndInspectCounts) {
 TEST(GenerateTasks, OptionsThatDoNotGoTogetherAreAWrongCall) {
   const TemporaryFolder folder;
   const CommandResult result =
-      runCommand({"generate", "tasks", "--level", "3", "--combination", "unseen-task",
-                  "--no-images", "--out", (folder / "tasks").string()});
+      runCommand({"generate", "tasks", "--level", "3", "--combination", "unseen-task", "--split",
+                  "test", "--no-images", "--out", (folder / "tasks").string()});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.error, HasSubstr("generate tasks: "));
 }

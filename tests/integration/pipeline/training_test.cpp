@@ -1,11 +1,15 @@
 #include "conceptplan/pipeline/training.hpp"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <set>
 
+#include "conceptplan/domain/dataset/task_dataset.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/domain/simulation/task_generator.hpp"
 #include "conceptplan/pipeline/model.hpp"
 #include "integration/pipeline/temporary_folder.hpp"
 
@@ -24,14 +28,40 @@ TrainingOptions smokeOptions(const std::filesystem::path& folder, const std::str
   return options;
 }
 
-TEST(Train, InterruptedAndResumedEndsWithTheSameModel) {
-  const TemporaryFolder folder;
-  TrainingOptions whole = smokeOptions(folder.path(), "whole");
-  ASSERT_TRUE(train(kAll, whole, {}));
+/// Tests of a model that was trained once, without interruption.
+class TrainedModel : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    root_ = std::filesystem::path(testing::TempDir()) /
+            ("conceptplan-trained-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(root_);
+    done_ = train(kAll, smokeOptions(root_, "whole"), {});
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(root_); }
+
+  void SetUp() override { ASSERT_TRUE(done_); }
+
+  static inline std::filesystem::path root_;
+  static inline bool done_ = false;
+};
+
+TEST_F(TrainedModel, LearnedFromNoPlanThatIsHeldOut) {
+  const TaskDataset tasks(root_ / "data" / "tasks-train");
+  std::set<int> levels;
+  for (const Task& task : tasks.tasks()) {
+    levels.insert(task.level);
+    EXPECT_FALSE(isHeldOut(task.reference)) << task.id;
+  }
+  EXPECT_THAT(levels, testing::ElementsAre(1, 2, 3, 4));
+  EXPECT_EQ(tasks.options().combination, Combination::kUnseenTask);
+}
+
+TEST_F(TrainedModel, InterruptedAndResumedEndsWithTheSameModel) {
+  const TrainingOptions whole = smokeOptions(root_, "whole");
   EXPECT_GT(Model(whole.model).numParameters(), 100'000U);
 
   // Cancelled at each stage's first report, then resumed, until nothing is left to do.
-  TrainingOptions parts = smokeOptions(folder.path(), "parts");
+  TrainingOptions parts = smokeOptions(root_, "parts");
   parts.resume = true;
   std::vector<std::string> seen;
   bool done = false;
