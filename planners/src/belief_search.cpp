@@ -15,14 +15,22 @@ namespace {
 
 /// Beliefs that differ by less than about this share are one node.
 constexpr double kBeliefResolution = 1e-9;
-constexpr double kValueTolerance = 1e-12;
+constexpr double kValueTolerance = 1e-15;
+/// An action costs at least this share of the score, so that of equally probable sequences the
+/// shorter come first.
+constexpr double kLeastStepDiscount = 1e-12;
 /// Scores below this are no plans.
 constexpr double kLeastScore = 1e-12;
+
+double discountOf(const BeliefSearchOptions& options) {
+  return std::min(options.discount, 1 - kLeastStepDiscount);
+}
 
 /// For kJoint the best discounted probability of the goal if the state could be seen after each
 /// action; for kConditional the best discounted goal of all states that actions may lead to.
 std::vector<double> stateValues(const SymbolGraph& graph, const StateBelief& goal,
                                 const BeliefSearchOptions& options) {
+  const double discount = discountOf(options);
   std::vector<double> values = goal;
   for (std::size_t sweep = 0; sweep < options.horizon; ++sweep) {
     double change = 0;
@@ -38,7 +46,7 @@ std::vector<double> stateValues(const SymbolGraph& graph, const StateBelief& goa
           sum += transition.probability * values[index(transition.state)];
           most = std::max(most, values[index(transition.state)]);
         }
-        best = std::max(best, options.discount * (options.ranking == Ranking::kJoint ? sum : most));
+        best = std::max(best, discount * (options.ranking == Ranking::kJoint ? sum : most));
       }
       change = std::max(change, best - values[i]);
       values[i] = best;
@@ -55,6 +63,7 @@ class BeliefSearch {
       : graph_(graph),
         goal_(dense(goal, graph.numStates())),
         options_(options),
+        discount_(discountOf(options)),
         values_(stateValues(graph, goal_, options)),
         dense_(graph.numStates(), 0) {}
 
@@ -72,9 +81,9 @@ class BeliefSearch {
         continue;
       }
       const std::size_t belief = nodes_[entry.node].belief;
-      if (visits_[belief] >= options_.paths_per_belief) continue;
+      if (hasEnoughPaths(belief, entry.length)) continue;
       if (!guard.expand(statistics)) break;
-      ++visits_[belief];
+      expanded_lengths_[belief].push_back(entry.length);
       expand(entry.node, statistics);
     }
     if (guard.stopped()) takeBestSoFar(found);
@@ -97,11 +106,12 @@ class BeliefSearch {
     std::size_t length;
     std::size_t node;
 
-    /// Worse entries are less. Among equals ends come first, then long ones, then older ones.
+    /// Worse entries are less. Among equals ends come first, the short ones before the long ones;
+    /// of what goes on the long ones come first, which are nearer to an end; then older ones.
     bool operator<(const Entry& other) const {
       if (score != other.score) return score < other.score;
       if (is_end != other.is_end) return other.is_end;
-      if (length != other.length) return length < other.length;
+      if (length != other.length) return (length < other.length) != is_end;
       return node > other.node;
     }
   };
@@ -111,6 +121,15 @@ class BeliefSearch {
     for (; !queue_.empty() && found.size() < options_.top; queue_.pop()) {
       if (queue_.top().is_end) accept(queue_.top(), found);
     }
+  }
+
+  /// Whether each continuation of a path to the belief has as many rivals as are wanted, which are
+  /// no longer than it.
+  bool hasEnoughPaths(std::size_t belief, std::size_t length) const {
+    const std::vector<std::size_t>& lengths = expanded_lengths_[belief];
+    const auto no_longer = std::count_if(lengths.begin(), lengths.end(),
+                                         [length](std::size_t other) { return other <= length; });
+    return static_cast<std::size_t>(no_longer) >= options_.paths_per_belief;
   }
 
   void touch(StateId state, double mass) {
@@ -144,7 +163,7 @@ class BeliefSearch {
     const auto [known, is_new] = numbers_.try_emplace(std::move(key), beliefs_.size());
     if (is_new) {
       beliefs_.push_back(std::move(belief));
-      visits_.push_back(0);
+      expanded_lengths_.emplace_back();
     }
     return known->second;
   }
@@ -163,7 +182,7 @@ class BeliefSearch {
   }
 
   void push(std::size_t parent, Action action, std::size_t length, std::size_t belief) {
-    const double bound = std::pow(options_.discount, length) * valueBound(beliefs_[belief]);
+    const double bound = std::pow(discount_, length) * valueBound(beliefs_[belief]);
     if (bound < kLeastScore) return;
     nodes_.push_back({parent, action, length, belief});
     queue_.push({bound, false, length, nodes_.size() - 1});
@@ -171,8 +190,7 @@ class BeliefSearch {
 
   void expand(std::size_t number, SearchStatistics& statistics) {
     const Node node = nodes_[number];
-    const double score =
-        std::pow(options_.discount, node.length) * weighed(beliefs_[node.belief], goal_);
+    const double score = std::pow(discount_, node.length) * weighed(beliefs_[node.belief], goal_);
     if (score >= kLeastScore) queue_.push({score, true, node.length, number});
     if (node.length == options_.horizon) return;
     for (const Action action : kActions) {
@@ -188,7 +206,7 @@ class BeliefSearch {
       if (touched_.empty()) continue;
       const std::size_t next = intern(takeTouched());
       ++statistics.generated;
-      if (next == node.belief || visits_[next] >= options_.paths_per_belief) continue;
+      if (next == node.belief || hasEnoughPaths(next, node.length + 1)) continue;
       push(number, action, node.length + 1, next);
     }
   }
@@ -210,9 +228,10 @@ class BeliefSearch {
   const SymbolGraph& graph_;
   StateBelief goal_;
   const BeliefSearchOptions& options_;
+  double discount_;
   std::vector<double> values_;
   std::vector<SparseBelief> beliefs_;
-  std::vector<std::size_t> visits_;  // of each belief
+  std::vector<std::vector<std::size_t>> expanded_lengths_;  // of the paths to each belief
   std::unordered_map<std::string, std::size_t> numbers_;
   std::vector<Node> nodes_;
   std::priority_queue<Entry> queue_;

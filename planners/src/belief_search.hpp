@@ -35,8 +35,10 @@ struct BeliefSearchOptions {
 /// (Littman, Cassandra and Kaelbling's QMDP, 1995, doi:10.1016/b978-1-55860-377-6.50052-9). For
 /// kConditional scaling may leave any one state, so the bound is the best goal that any state of
 /// the belief leads to. Sequences that lead to the same belief share its node, since the rest of
-/// their score is the same; actions that leave the belief as it is are not taken.
-/// Once a limit strikes, the best sequences found so far follow, unproved.
+/// their score is the same; a path is dropped where `paths_per_belief` others that are no longer
+/// were gone on with. Of equally probable sequences the shorter come first, also without a
+/// discount. Actions that leave the belief as it is are not taken. Once a limit strikes, the best
+/// sequences found so far follow, unproved.
 /// @param start a measure over states; what it leaves out is not searched for.
 std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const SparseBelief& start,
                                           const SparseBelief& goal,

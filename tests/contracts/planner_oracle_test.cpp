@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <ostream>
 #include <set>
 
 #include "conceptplan/planners/belief_update.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
+#include "planners/grid_world.hpp"
 #include "planners/random_world.hpp"
 #include "planners/tiny_world.hpp"
 
@@ -306,57 +308,182 @@ TEST(MctsOracle, TheSeedDecidesTheRuns) {
   EXPECT_GT(differing, 0u);
 }
 
-/// Pr[goal, every step legal and valid] by summation over all sequences of states.
-double summedOverPaths(const SymbolGraph& graph, const StateBelief& goal,
-                       const ActionSequence& actions, std::size_t step, StateId state) {
-  if (step == actions.size()) return goal[index(state)];
-  if (graph.legality(state, actions[step]) <= kThreshold) return 0;
-  double sum = 0;
-  for (const Transition& outcome : graph.transitions(state, actions[step])) {
-    if (!graph.valid(outcome.state)) continue;
-    sum += outcome.probability * summedOverPaths(graph, goal, actions, step + 1, outcome.state);
+/// One reading of the paper's reasoner.
+struct BeliefCase {
+  const char* name;
+  bool hard;  ///< most probable symbols alone
+  bool conditional;
+  double step_discount;
+};
+
+void PrintTo(const BeliefCase& c, std::ostream* out) { *out << c.name; }
+
+/// Start and goal as the case takes them, [states].
+struct BeliefEnds {
+  StateBelief start;
+  StateBelief goal;
+};
+
+BeliefEnds endsOf(const SymbolGraph& graph, const BeliefCase& c) {
+  if (c.hard) {
+    BeliefEnds ends{StateBelief(graph.numStates(), 0), StateBelief(graph.numStates(), 0)};
+    ends.start[index(graph.mostProbableStart())] = 1;
+    ends.goal[index(graph.mostProbableGoal())] = 1;
+    return ends;
   }
-  return sum;
+  BeliefEnds ends{graph.stateBelief(graph.initialBelief()),
+                  graph.stateBelief(graph.problem().goal)};
+  double valid = 0;
+  for (std::size_t i = 0; i < ends.start.size(); ++i) {
+    if (!graph.valid(static_cast<StateId>(i))) ends.start[i] = 0;
+    valid += ends.start[i];
+  }
+  for (double& mass : ends.start) mass /= valid;
+  return ends;
 }
 
-// Eqs. (4)-(6) of arXiv 2310.03325, Sec. III-B.
-TEST(BeliefOracle, Eqs4To6BySummationOverAllStatePathsOfAllSequences) {
+/// What is summed over all sequences of states along which every step is legal and valid.
+struct PathSums {
+  double survived = 0;  ///< Pr[sequence]
+  double reached = 0;   ///< Pr[sequence] Pr[its end is the goal]
+};
+
+void addPaths(const SymbolGraph& graph, const StateBelief& goal, const ActionSequence& actions,
+              std::size_t step, StateId state, double probability, PathSums& sums) {
+  if (step == actions.size()) {
+    sums.survived += probability;
+    sums.reached += probability * goal[index(state)];
+    return;
+  }
+  if (graph.legality(state, actions[step]) <= kThreshold) return;
+  for (const Transition& outcome : graph.transitions(state, actions[step])) {
+    if (!graph.valid(outcome.state)) continue;
+    addPaths(graph, goal, actions, step + 1, outcome.state, probability * outcome.probability,
+             sums);
+  }
+}
+
+/// An action sequence and the score by which the case ranks it.
+struct RankedSequence {
+  double score;
+  ActionSequence actions;
+};
+
+StateBelief updated(const SymbolGraph& graph, const StateBelief& belief, Action action,
+                    bool conditional) {
+  StateBelief next = propagateLegal(graph, belief, action, kThreshold);
+  keepValid(graph, next);
+  if (conditional) normalize(next);
+  return next;
+}
+
+bool isSame(const StateBelief& a, const StateBelief& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(a[i] - b[i]) > 1e-12) return false;
+  }
+  return true;
+}
+
+/// All sequences that may reach the goal, best first, but for those with an action that leaves the
+/// belief as it is.
+std::vector<RankedSequence> allRanked(const SymbolGraph& graph, const BeliefCase& c,
+                                      std::size_t longest) {
+  const BeliefEnds ends = endsOf(graph, c);
+  std::vector<RankedSequence> ranked;
+  ActionSequence prefix;
+  const std::function<void(const StateBelief&)> enumerate = [&](const StateBelief& belief) {
+    PathSums sums;
+    for (std::size_t i = 0; i < ends.start.size(); ++i) {
+      if (ends.start[i] == 0) continue;
+      addPaths(graph, ends.goal, prefix, 0, static_cast<StateId>(i), ends.start[i], sums);
+    }
+    const double probability = c.conditional ? sums.reached / sums.survived : sums.reached;
+    if (sums.reached > 0) {
+      ranked.push_back({std::pow(1 - c.step_discount, prefix.size()) * probability, prefix});
+    }
+    if (prefix.size() == longest) return;
+    for (const Action action : kActions) {
+      const StateBelief next = updated(graph, belief, action, c.conditional);
+      if (isSame(next, belief)) continue;
+      prefix.push_back(action);
+      enumerate(next);
+      prefix.pop_back();
+    }
+  };
+  enumerate(ends.start);
+  std::sort(ranked.begin(), ranked.end(),
+            [](const RankedSequence& a, const RankedSequence& b) { return a.score > b.score; });
+  return ranked;
+}
+
+class BeliefOracle : public ::testing::TestWithParam<BeliefCase> {};
+
+// Eqs. (4)-(6) of arXiv 2310.03325, Sec. III-B. That the belief is scaled to one after each step
+// divides what reaches the goal by all that has survived.
+TEST_P(BeliefOracle, Eqs4To6BySummationOverAllStatePathsOfAllSequences) {
   constexpr std::size_t kLongest = 3;
-  constexpr std::size_t kTop = 10;
+  const BeliefCase& c = GetParam();
+  const OptionTexts options{{"alternatives", "paths"},
+                            {"min_hypothesis", "0"},
+                            {"min_probability", "0"},
+                            {"symbols", c.hard ? "hard" : "soft"},
+                            {"ranking", c.conditional ? "conditional" : "joint"},
+                            {"step_discount", c.step_discount == 0 ? "0" : "0.01"}};
+  std::size_t solved = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
     const SymbolGraph graph = randomWorld(seed, true);
-    const std::vector<double> goal = graph.stateBelief(graph.problem().goal);
-    std::vector<double> start = graph.stateBelief(graph.initialBelief());
-    double valid = 0;
-    for (std::size_t i = 0; i < start.size(); ++i) {
-      if (!graph.valid(static_cast<StateId>(i))) start[i] = 0;
-      valid += start[i];
+    const std::vector<RankedSequence> all = allRanked(graph, c, kLongest);
+    solved += all.empty() ? 0 : 1;
+    for (const std::size_t top : {1u, 3u, 10u}) {
+      const PlanResult result = solve("belief", graph, queryFor(top, kLongest), options);
+      ASSERT_EQ(result.status, all.empty() ? PlanStatus::kInfeasible : PlanStatus::kSolved);
+      ASSERT_EQ(result.plans.size(), std::min(top, all.size())) << result.reason;
+      for (std::size_t i = 0; i < result.plans.size(); ++i) {
+        EXPECT_NEAR(std::exp(-result.plans[i].cost), all[i].score, 1e-9) << "plan " << i;
+      }
+      if (all.empty()) continue;
+      std::size_t fewest = kLongest;
+      for (const RankedSequence& sequence : all) {
+        if (sequence.score < all.front().score * (1 - 1e-11)) break;
+        fewest = std::min(fewest, sequence.actions.size());
+      }
+      EXPECT_EQ(result.plans.front().actions.size(), fewest);
     }
-    std::vector<double> scores;
-    ActionSequence prefix;
-    const std::function<void()> enumerate = [&] {
-      double sum = 0;
-      for (std::size_t i = 0; i < start.size(); ++i) {
-        if (start[i] == 0) continue;
-        sum += start[i] / valid * summedOverPaths(graph, goal, prefix, 0, static_cast<StateId>(i));
+  }
+  EXPECT_GT(solved, 4u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, BeliefOracle,
+    ::testing::Values(BeliefCase{"SoftJoint", false, false, 0.01},
+                      BeliefCase{"SoftConditional", false, true, 0.01},
+                      BeliefCase{"HardJoint", true, false, 0.01},
+                      BeliefCase{"HardConditional", true, true, 0.01},
+                      BeliefCase{"SoftJointUndiscounted", false, false, 0},
+                      BeliefCase{"SoftConditionalUndiscounted", false, true, 0},
+                      BeliefCase{"HardJointUndiscounted", true, false, 0},
+                      BeliefCase{"HardConditionalUndiscounted", true, true, 0}),
+    [](const auto& c) { return std::string(c.param.name); });
+
+// Where every outcome is sure all ways to the goal are equally probable, and wandering costs
+// nothing without a discount.
+TEST(BeliefPlannerOracle, WithoutADiscountThePlansAreTheShortestOnes) {
+  for (const char* ranking : {"joint", "conditional"}) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      SCOPED_TRACE(seed);
+      const testing::GridWorld world = testing::gridWorld(3, 3, 4, 0.1, seed);
+      const SymbolGraph graph = compile(world.model, world.problem, GridValidity());
+      const PlanResult shortest = solve("bfs", graph, queryFor(5, 24));
+      if (shortest.status != PlanStatus::kSolved) continue;
+      for (const std::size_t longer : {0u, 1u, 18u}) {
+        const std::size_t horizon = shortest.plans.front().actions.size() + longer;
+        const PlanResult result = solve("belief", graph, queryFor(5, horizon),
+                                        {{"step_discount", "0"}, {"ranking", ranking}});
+        ASSERT_EQ(result.status, PlanStatus::kSolved) << result.reason;
+        EXPECT_EQ(result.plans.front().actions.size(), shortest.plans.front().actions.size());
+        EXPECT_NEAR(result.plans.front().probability, 1, 1e-12);
       }
-      scores.push_back(std::pow(kDiscount, prefix.size()) * sum);
-      if (prefix.size() == kLongest) return;
-      for (const Action action : kActions) {
-        prefix.push_back(action);
-        enumerate();
-        prefix.pop_back();
-      }
-    };
-    enumerate();
-    std::sort(scores.rbegin(), scores.rend());
-    const PlanResult result =
-        solve("belief", graph, queryFor(kTop, kLongest),
-              {{"alternatives", "paths"}, {"min_hypothesis", "0"}, {"min_probability", "0"}});
-    ASSERT_EQ(result.plans.size(), kTop) << result.reason;
-    for (std::size_t i = 0; i < kTop; ++i) {
-      EXPECT_NEAR(std::exp(-result.plans[i].cost), scores[i], 1e-9) << "plan " << i;
     }
   }
 }
