@@ -102,34 +102,23 @@ std::vector<ScoredSequence> candidates(const BeliefTask& task, const PlanQuery& 
   search.top = query.top;
   search.ranking = options.ranking;
   search.paths_per_belief = query.top;
+  const auto values = beliefValues(task.graph, task.goal, search, guard);
+  if (!values) return {};
   const std::vector<ScoredSequence> paths =
-      bestSequences(task.graph, start, task.goal, search, guard, statistics);
-  if (options.alternatives == Alternatives::kPaths) return paths;
+      bestSequences(task.graph, start, task.goal, *values, search, guard, statistics);
+  if (options.alternatives == Alternatives::kPaths || guard.stopped()) return paths;
 
   search.paths_per_belief = 1;
   search.distinct_outcomes = true;
   search.least_share = options.alternative_share;
   const std::vector<ScoredSequence> outcomes =
-      bestSequences(task.graph, start, task.goal, search, guard, statistics);
+      bestSequences(task.graph, start, task.goal, *values, search, guard, statistics);
   std::vector<ScoredSequence> sequences;
   // Outcomes found before a limit struck need not hold the best sequence.
   if (guard.stopped()) addNew(sequences, paths, 1);
   addNew(sequences, outcomes, query.top);
   addNew(sequences, paths, query.top);
   return sequences;
-}
-
-/// Whether the most probable symbols of the goal can be reached from those of the start under some
-/// reading of the other objects.
-bool isGoalInReach(const SymbolGraph& graph, double threshold, std::size_t horizon) {
-  for (std::size_t reading = 0; reading < graph.numReadings(); ++reading) {
-    const StateId start = graph.inReading(graph.mostProbableStart(), reading);
-    const StateId goal = graph.inReading(graph.mostProbableGoal(), reading);
-    const std::vector<StateId> reachable =
-        reachableStates(graph, start, threshold, horizon, graph.numStates());
-    if (std::find(reachable.begin(), reachable.end(), goal) != reachable.end()) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -153,8 +142,16 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   const std::string mismatch = frozenMismatch(graph);
   const double frozen = hard && !mismatch.empty() ? 0 : graph.frozenAgreement();
 
+  const std::size_t horizon = query.limits.horizon;
+
   PlanResult result;
   SearchGuard guard(query.limits);
+  bool goal_in_reach = false;
+  for (std::size_t i = 0; mismatch.empty() && !goal_in_reach && i < graph.numReadings(); ++i) {
+    goal_in_reach =
+        isInReach(graph, graph.inReading(graph.mostProbableStart(), i),
+                  graph.inReading(graph.mostProbableGoal(), i), task.threshold, horizon, guard);
+  }
   std::vector<ScoredSequence> sequences;
   if (frozen > 0) sequences = candidates(task, query, options_, guard, result.statistics);
   for (const ScoredSequence& sequence : sequences) {
@@ -163,12 +160,10 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   }
   std::sort(result.plans.begin(), result.plans.end(), ranksBefore);
 
-  const bool goal_in_reach =
-      mismatch.empty() && isGoalInReach(graph, options_.legality_threshold, query.limits.horizon);
   const double best = result.plans.empty() ? 0 : result.plans.front().probability;
   const std::string obstacle = mismatch.empty()
                                    ? "no legal and valid steps lead to the goal within " +
-                                         std::to_string(query.limits.horizon) + " actions"
+                                         std::to_string(horizon) + " actions"
                                    : mismatch;
   const bool is_proved = goal_in_reach && !guard.stopped();
   if (best > 0 && (is_proved || best >= options_.min_probability)) {
@@ -185,13 +180,12 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
   result.reason = guard.stopped() ? guard.reason() : obstacle;
   if (!guard.stopped() && mismatch.empty()) {
-    explainInfeasible(graph, task.threshold, query.limits.horizon, result);
+    explainInfeasible(graph, task.threshold, horizon, guard, result);
   }
-  result.rejections =
-      traceRejections(graph,
-                      reachableStates(graph, graph.mostProbableStart(), task.threshold,
-                                      query.limits.horizon, kTracedStates),
-                      task.threshold);
+  result.rejections = traceRejections(
+      graph,
+      reachableStates(graph, graph.mostProbableStart(), task.threshold, horizon, kTracedStates),
+      task.threshold);
   return result;
 }
 

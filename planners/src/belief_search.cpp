@@ -26,49 +26,20 @@ double discountOf(const BeliefSearchOptions& options) {
   return std::min(options.discount, 1 - kLeastStepDiscount);
 }
 
-/// For kJoint the best discounted probability of the goal if the state could be seen after each
-/// action; for kConditional the best discounted goal of all states that actions may lead to.
-std::vector<double> stateValues(const SymbolGraph& graph, const StateBelief& goal,
-                                const BeliefSearchOptions& options) {
-  const double discount = discountOf(options);
-  std::vector<double> values = goal;
-  for (std::size_t sweep = 0; sweep < options.horizon; ++sweep) {
-    double change = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const StateActions actions(graph, static_cast<StateId>(i));
-      double best = values[i];
-      for (const Action action : kActions) {
-        if (actions.legality(action) <= options.legality_threshold) continue;
-        double sum = 0;
-        double most = 0;
-        for (const Transition& transition : actions.transitions(action)) {
-          if (!graph.valid(transition.state)) continue;
-          sum += transition.probability * values[index(transition.state)];
-          most = std::max(most, values[index(transition.state)]);
-        }
-        best = std::max(best, discount * (options.ranking == Ranking::kJoint ? sum : most));
-      }
-      change = std::max(change, best - values[i]);
-      values[i] = best;
-    }
-    if (change < kValueTolerance) break;
-  }
-  return values;
-}
-
 class BeliefSearch {
  public:
   BeliefSearch(const SymbolGraph& graph, const SparseBelief& goal,
-               const BeliefSearchOptions& options)
+               const std::vector<double>& values, const BeliefSearchOptions& options,
+               SearchGuard& guard)
       : graph_(graph),
         goal_(dense(goal, graph.numStates())),
         options_(options),
         discount_(discountOf(options)),
-        values_(stateValues(graph, goal_, options)),
+        values_(values),
+        guard_(guard),
         dense_(graph.numStates(), 0) {}
 
-  std::vector<ScoredSequence> run(const SparseBelief& start, SearchGuard& guard,
-                                  SearchStatistics& statistics) {
+  std::vector<ScoredSequence> run(const SparseBelief& start, SearchStatistics& statistics) {
     for (const Mass& entry : start) touch(entry.state, entry.mass);
     push(kRoot, Action::kMoveFront, 0, intern(takeTouched()));
     std::vector<ScoredSequence> found;
@@ -82,11 +53,11 @@ class BeliefSearch {
       }
       const std::size_t belief = nodes_[entry.node].belief;
       if (hasEnoughPaths(belief, entry.length)) continue;
-      if (!guard.expand(statistics)) break;
+      if (!guard_.expand(statistics)) break;
       expanded_lengths_[belief].push_back(entry.length);
       expand(entry.node, statistics);
     }
-    if (guard.stopped()) takeBestSoFar(found);
+    if (guard_.stopped()) takeBestSoFar(found);
     return found;
   }
 
@@ -195,6 +166,7 @@ class BeliefSearch {
     if (node.length == options_.horizon) return;
     for (const Action action : kActions) {
       for (const Mass& entry : beliefs_[node.belief]) {
+        if (!guard_.goesOn()) return;
         const StateActions actions(graph_, entry.state);
         if (actions.legality(action) <= options_.legality_threshold) continue;
         for (const Transition& transition : actions.transitions(action)) {
@@ -229,7 +201,8 @@ class BeliefSearch {
   StateBelief goal_;
   const BeliefSearchOptions& options_;
   double discount_;
-  std::vector<double> values_;
+  const std::vector<double>& values_;
+  SearchGuard& guard_;
   std::vector<SparseBelief> beliefs_;
   std::vector<std::vector<std::size_t>> expanded_lengths_;  // of the paths to each belief
   std::unordered_map<std::string, std::size_t> numbers_;
@@ -242,11 +215,42 @@ class BeliefSearch {
 
 }  // namespace
 
+std::optional<std::vector<double>> beliefValues(const SymbolGraph& graph, const SparseBelief& goal,
+                                                const BeliefSearchOptions& options,
+                                                SearchGuard& guard) {
+  const double discount = discountOf(options);
+  std::vector<double> values = dense(goal, graph.numStates());
+  for (std::size_t sweep = 0; sweep < options.horizon; ++sweep) {
+    double change = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!guard.goesOn()) return std::nullopt;
+      const StateActions actions(graph, static_cast<StateId>(i));
+      double best = values[i];
+      for (const Action action : kActions) {
+        if (actions.legality(action) <= options.legality_threshold) continue;
+        double sum = 0;
+        double most = 0;
+        for (const Transition& transition : actions.transitions(action)) {
+          if (!graph.valid(transition.state)) continue;
+          sum += transition.probability * values[index(transition.state)];
+          most = std::max(most, values[index(transition.state)]);
+        }
+        best = std::max(best, discount * (options.ranking == Ranking::kJoint ? sum : most));
+      }
+      change = std::max(change, best - values[i]);
+      values[i] = best;
+    }
+    if (change < kValueTolerance) break;
+  }
+  return values;
+}
+
 std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const SparseBelief& start,
                                           const SparseBelief& goal,
+                                          const std::vector<double>& values,
                                           const BeliefSearchOptions& options, SearchGuard& guard,
                                           SearchStatistics& statistics) {
-  return BeliefSearch(graph, goal, options).run(start, guard, statistics);
+  return BeliefSearch(graph, goal, values, options, guard).run(start, statistics);
 }
 
 }  // namespace conceptplan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "conceptplan/planners/belief_planner.hpp"
@@ -27,6 +28,13 @@ struct BeliefSearchOptions {
   double least_share = 0;  ///< of the best score; worse sequences are not wanted
 };
 
+/// For kJoint the best discounted probability of the goal if the state could be seen after each
+/// action; for kConditional the best discounted goal of all states that actions may lead to.
+/// [states]. Nothing if a limit strikes.
+std::optional<std::vector<double>> beliefValues(const SymbolGraph& graph, const SparseBelief& goal,
+                                                const BeliefSearchOptions& options,
+                                                SearchGuard& guard);
+
 /// The best action sequences by score, best first, by best-first search over beliefs.
 ///
 /// The search is exact, since it is ordered by an upper bound of the score. For kJoint a belief is
@@ -40,8 +48,10 @@ struct BeliefSearchOptions {
 /// discount. Actions that leave the belief as it is are not taken. Once a limit strikes, the best
 /// sequences found so far follow, unproved.
 /// @param start a measure over states; what it leaves out is not searched for.
+/// @param values `beliefValues` of the same goal and options.
 std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const SparseBelief& start,
                                           const SparseBelief& goal,
+                                          const std::vector<double>& values,
                                           const BeliefSearchOptions& options, SearchGuard& guard,
                                           SearchStatistics& statistics);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -102,7 +103,13 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
   }
   PlanResult result;
   SearchGuard guard(query.limits);
-  JointSpace space(model, problem, validity, rules);
+  std::optional<JointSpace> made = JointSpace::make(model, problem, validity, rules, guard);
+  if (!made) {
+    result.status = *guard.stopped();
+    result.reason = guard.reason();
+    return result;
+  }
+  JointSpace& space = *made;
   JointSearchOptions search{
       1,
       std::min(query.limits.horizon, kMostSteps / problem.targets.size()) * problem.targets.size(),

@@ -10,6 +10,9 @@
 namespace conceptplan {
 namespace {
 
+/// States whose validity is asked for between two looks at the limits.
+constexpr std::size_t kCheckedAtOnce = 256;
+
 constexpr JointState kMostJointStates = std::numeric_limits<std::int64_t>::max();
 
 std::string nameOf(const TargetGoal& target) {
@@ -18,45 +21,56 @@ std::string nameOf(const TargetGoal& target) {
 
 }  // namespace
 
-JointSpace::JointSpace(const SymbolicModel& model, const JointProblem& problem,
-                       const StateValidity& validity, const StepRules& rules)
-    : model_(model),
-      problem_(problem),
-      validity_(validity),
-      compatible_(problem.targets.size() * problem.targets.size()),
-      watching_steps_(problem.targets.size()) {
-  std::vector<bool> moves(problem.objects.size(), false);
-  for (const TargetGoal& target : problem.targets) moves[target.object] = true;
+std::optional<JointSpace> JointSpace::make(const SymbolicModel& model, const JointProblem& problem,
+                                           const StateValidity& validity, const StepRules& rules,
+                                           SearchGuard& guard) {
+  JointSpace space(model, problem, validity);
+  space.build(rules, guard);
+  if (guard.stopped()) return std::nullopt;
+  return space;
+}
+
+void JointSpace::build(const StepRules& rules, SearchGuard& guard) {
+  compatible_.resize(problem_.targets.size() * problem_.targets.size());
+  watching_steps_.resize(problem_.targets.size());
+  std::vector<bool> moves(problem_.objects.size(), false);
+  for (const TargetGoal& target : problem_.targets) moves[target.object] = true;
   std::vector<Symbols> still;
-  for (std::size_t i = 0; i < problem.objects.size(); ++i) {
-    scene_.push_back(mostProbable(problem.objects[i]));
+  for (std::size_t i = 0; i < problem_.objects.size(); ++i) {
+    scene_.push_back(mostProbable(problem_.objects[i]));
     if (!moves[i]) still.push_back(scene_.back());
   }
   JointState states = 1;
-  for (std::size_t i = 0; i < problem.targets.size(); ++i) {
-    const TargetGoal& target = problem.targets[i];
-    targets_.emplace_back(model, scene_, moves, target.object, rules);
+  for (std::size_t i = 0; i < problem_.targets.size(); ++i) {
+    const TargetGoal& target = problem_.targets[i];
+    targets_.emplace_back(model_, scene_, moves, target.object, rules, guard);
     if (targets_[i].numStates() > kMostJointStates / states) {
-      throw std::invalid_argument("the joint states of " + std::to_string(problem.targets.size()) +
+      throw std::invalid_argument("the joint states of " + std::to_string(problem_.targets.size()) +
                                   " targets cannot be counted in 63 bits");
     }
     stride_.push_back(states);
     start_ += states * targets_[i].state(scene_[target.object]);
     goal_ += states * targets_[i].state(mostProbable(target.goal));
     states *= targets_[i].numStates();
-    checkStanding(i, still);
+    checkStanding(i, still, guard);
+    if (guard.stopped()) return;
   }
-  for (std::size_t i = 0; i < targets_.size(); ++i) to_goal_.push_back(ranksToGoal(i));
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    to_goal_.push_back(ranksToGoal(i, guard));
+    if (guard.stopped()) return;
+  }
   contradiction_ = findContradiction();
 }
 
-void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& still) {
+void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& still,
+                               SearchGuard& guard) {
   const JointTarget& moved = targets_[target];
   const std::array<bool, kNumConcepts> concepts = validity_.dependsOn();
   Standing& standing = standing_.emplace_back();
   std::unordered_map<std::uint64_t, std::size_t> views;
   std::vector<Symbols> asked;
   for (TargetState state = 0; state < moved.numStates(); ++state) {
+    if (!guard.goesOn()) return;
     Symbols seen = moved.symbols(0);
     const Symbols symbols = moved.symbols(state);
     for (std::size_t k = 0; k < kNumConcepts; ++k) {
@@ -66,17 +80,23 @@ void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& s
     if (is_new) asked.push_back(symbols);
     standing.view.push_back(view->second);
   }
-  validity_checks_ += asked.size();
-  for (const Verdict& verdict :
-       validity_.checkAll(problem_.workbench, model_.grounding, asked, still)) {
-    standing.valid.push_back(verdict.valid());
+  for (std::span<const Symbols> rest = asked; !rest.empty();) {
+    if (!guard.goesOn()) return;
+    const std::size_t count = std::min(rest.size(), kCheckedAtOnce);
+    validity_checks_ += count;
+    for (const Verdict& verdict :
+         validity_.checkAll(problem_.workbench, model_.grounding, rest.first(count), still)) {
+      standing.valid.push_back(verdict.valid());
+    }
+    rest = rest.subspan(count);
   }
 }
 
-std::vector<PathRank> JointSpace::ranksToGoal(std::size_t target) const {
+std::vector<PathRank> JointSpace::ranksToGoal(std::size_t target, SearchGuard& guard) const {
   const JointTarget& moved = targets_[target];
   std::vector<StateEdge> edges;
   for (TargetState state = 0; state < moved.numStates(); ++state) {
+    if (!guard.goesOn()) return {};
     for (const TargetStep& step : moved.possibleSteps(state)) {
       if (!stands(target, step.next)) continue;
       edges.push_back({StateId(state), StateId(step.next), rankOf(step.cost, 1)});

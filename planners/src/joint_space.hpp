@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "conceptplan/planners/search_guard.hpp"
 #include "conceptplan/planners/state_validity.hpp"
 #include "joint_target.hpp"
 #include "path_rank.hpp"
@@ -26,9 +28,11 @@ struct JointSuccessor {
 /// probable outcome. For one thread; keeps references.
 class JointSpace {
  public:
+  /// Nothing if a limit strikes.
   /// @throws std::invalid_argument if the joint states cannot be counted in 63 bits.
-  JointSpace(const SymbolicModel& model, const JointProblem& problem, const StateValidity& validity,
-             const StepRules& rules);
+  static std::optional<JointSpace> make(const SymbolicModel& model, const JointProblem& problem,
+                                        const StateValidity& validity, const StepRules& rules,
+                                        SearchGuard& guard);
 
   std::size_t numTargets() const { return targets_.size(); }
   const JointTarget& target(std::size_t i) const { return targets_[i]; }
@@ -47,7 +51,8 @@ class JointSpace {
   /// A lower bound of the rank of every way to the goal: the sum over the targets of the least rank
   /// at which each gets to its goal with the other targets out of its way, and where they serve it
   /// best. Admissible and consistent, since a step moves one target, and is one of its possible
-  /// steps. kOutOfReach where a target cannot get there.
+  /// steps. kOutOfReach where a target
+  /// cannot get there.
   PathRank bound(JointState state) const;
 
   /// Why there is no way to the goal, as far as it shows without a search; empty if it does not.
@@ -59,11 +64,17 @@ class JointSpace {
     std::vector<bool> valid;        ///< among the objects that are no targets, [views]
   };
 
+  JointSpace(const SymbolicModel& model, const JointProblem& problem, const StateValidity& validity)
+      : model_(model), problem_(problem), validity_(validity) {}
+
   TargetState part(JointState state, std::size_t target) const {
     return static_cast<TargetState>(state / stride_[target] % targets_[target].numStates());
   }
-  void checkStanding(std::size_t target, const std::vector<Symbols>& still);
-  std::vector<PathRank> ranksToGoal(std::size_t target) const;
+  /// What they make is incomplete once the guard has been stopped.
+  void build(const StepRules& rules, SearchGuard& guard);
+  void checkStanding(std::size_t target, const std::vector<Symbols>& still, SearchGuard& guard);
+  std::vector<PathRank> ranksToGoal(std::size_t target, SearchGuard& guard) const;
+
   std::string findContradiction();
   bool stands(std::size_t target, TargetState state) const {
     return standing_[target].valid[standing_[target].view[state]];

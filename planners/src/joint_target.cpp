@@ -145,7 +145,8 @@ void addSteps(Action action, TargetState from, const std::array<std::size_t, kNu
 }  // namespace
 
 JointTarget::JointTarget(const SymbolicModel& model, std::span<const Symbols> scene,
-                         const std::vector<bool>& moves, std::size_t object, StepRules rules)
+                         const std::vector<bool>& moves, std::size_t object, StepRules rules,
+                         SearchGuard& guard)
     : model_(model),
       rules_(std::move(rules)),
       start_(scene[object]),
@@ -189,6 +190,7 @@ JointTarget::JointTarget(const SymbolicModel& model, std::span<const Symbols> sc
           {dependence(model.transitions.effect(action, which).context, which, changeable, open),
            cardinality},
           start_, [&](const Symbols& target) {
+            if (!guard.goesOn()) return ConceptOutcomes{};
             return outcomesOf(model, action, which, around(target), open, rules_.min_share);
           });
       for (const ConceptOutcomes& entry : table.values()) {
@@ -205,7 +207,7 @@ JointTarget::JointTarget(const SymbolicModel& model, std::span<const Symbols> sc
   }
 
   possible_.resize(num_states);
-  for (TargetState state = 0; state < num_states; ++state) {
+  for (TargetState state = 0; state < num_states && guard.goesOn(); ++state) {
     const Symbols target = symbols(state);
     for (const Action action : kActions) {
       if (!defined[index(action)] ||

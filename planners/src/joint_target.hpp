@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "conceptplan/domain/model/symbolic_model.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 #include "successors.hpp"
 
 namespace conceptplan {
@@ -37,8 +38,10 @@ class JointTarget {
   /// @param scene most probable symbols of all objects at the start
   /// @param moves which of them are targets
   /// @param object the one that this is about
+  /// @param guard once it has been stopped, the target has no use
   JointTarget(const SymbolicModel& model, std::span<const Symbols> scene,
-              const std::vector<bool>& moves, std::size_t object, StepRules rules);
+              const std::vector<bool>& moves, std::size_t object, StepRules rules,
+              SearchGuard& guard);
 
   std::size_t numStates() const { return possible_.size(); }
   bool isPart(Concept which) const { return stride_[index(which)] != 0; }

@@ -28,26 +28,32 @@ std::size_t sceneIndex(const SymbolGraph& graph, std::size_t other) {
 /// Which of the objects other than the target are taken away.
 using ObjectSet = std::uint32_t;
 
+bool isValid(const Verdict& verdict) { return verdict.valid(); }
+
 bool isPassable(const Verdict& verdict, ObjectSet removed) {
   return verdict.valid() || (verdict.cause == Invalidity::kCollision &&
                              verdict.object < kMostObjects && (removed >> verdict.object & 1) != 0);
 }
 
 /// Fewest actions from a state to each other one by legal actions and any outcomes, kNotReached if
-/// there is no way.
+/// there is no way of at most so many, or if a limit strikes before one is found.
+/// @param passable of the verdict of a state
+template <typename Passable>
 std::vector<std::size_t> actionsFrom(const SymbolGraph& graph, StateId from,
-                                     double legality_threshold, ObjectSet removed) {
+                                     double legality_threshold, std::size_t most,
+                                     const Passable& passable, SearchGuard& guard) {
   std::vector<std::size_t> actions(graph.numStates(), kNotReached);
   std::vector<StateId> open{from};
   actions[index(from)] = 0;
-  for (std::size_t i = 0; i < open.size(); ++i) {
+  for (std::size_t i = 0; i < open.size() && guard.goesOn(); ++i) {
     const StateId state = open[i];
+    if (actions[index(state)] == most) break;
     const StateActions at(graph, state);
     for (const Action action : kActions) {
       if (at.legality(action) <= legality_threshold) continue;
       for (const Transition& outcome : at.transitions(action)) {
         std::size_t& reached = actions[index(outcome.state)];
-        if (reached != kNotReached || !isPassable(graph.verdict(outcome.state), removed)) continue;
+        if (reached != kNotReached || !passable(graph.verdict(outcome.state))) continue;
         reached = actions[index(state)] + 1;
         open.push_back(outcome.state);
       }
@@ -82,31 +88,39 @@ std::vector<ObjectSet> subsetsBySize(ObjectSet set) {
 
 /// The fewest objects without which the start leads to the goal; empty if not found.
 ObjectSet blockingObjects(const SymbolGraph& graph, StateId start, StateId goal,
-                          double legality_threshold) {
+                          double legality_threshold, SearchGuard& guard) {
   const auto leads_without = [&](ObjectSet removed) {
-    return isPassable(graph.verdict(goal), removed) &&
-           actionsFrom(graph, start, legality_threshold, removed)[index(goal)] != kNotReached;
+    const auto passable = [removed](const Verdict& verdict) {
+      return isPassable(verdict, removed);
+    };
+    return passable(graph.verdict(goal)) &&
+           actionsFrom(graph, start, legality_threshold, kNotReached, passable,
+                       guard)[index(goal)] != kNotReached;
   };
   const ObjectSet all = collidedObjects(graph, start);
   if (all == 0 || !leads_without(all)) return 0;
   std::size_t visits = graph.numStates();
   for (const ObjectSet subset : subsetsBySize(all)) {
     visits += graph.numStates();
-    if (visits > kMostVisits) return 0;
+    if (visits > kMostVisits || !guard.goesOn()) return 0;
     if (leads_without(subset)) return subset;
   }
   return 0;
 }
 
 /// Of the states reached within the horizon, the one from which the concepts, each by itself, need
-/// the fewest actions to the goal; then the one that shares most symbols with it.
-StateId nearestReached(const SymbolGraph& graph, StateId goal, double legality_threshold,
-                       const std::vector<std::size_t>& actions, std::size_t horizon) {
+/// the fewest actions to the goal; then the one that shares most symbols with it. Nothing if a
+/// limit strikes.
+std::optional<StateId> nearestReached(const SymbolGraph& graph, StateId goal,
+                                      double legality_threshold,
+                                      const std::vector<std::size_t>& actions, std::size_t horizon,
+                                      SearchGuard& guard) {
   const ProjectionHeuristic distance(graph, goal, anyOutcomeSuccessors(graph, legality_threshold));
   const Symbols wanted = graph.symbols(goal);
   StateId nearest{};
   std::tuple<PathCost, int, std::size_t> least{kOutOfReach, std::numeric_limits<int>::max(), 0};
   for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (!guard.goesOn()) return std::nullopt;
     if (actions[i] > horizon) continue;
     const auto state = static_cast<StateId>(i);
     const Symbols symbols = graph.symbols(state);
@@ -194,24 +208,33 @@ std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
   return states;
 }
 
+bool isInReach(const SymbolGraph& graph, StateId start, StateId goal, double legality_threshold,
+               std::size_t horizon, SearchGuard& guard) {
+  return actionsFrom(graph, start, legality_threshold, horizon, isValid, guard)[index(goal)] !=
+         kNotReached;
+}
+
 void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,
-                       PlanResult& result) {
+                       SearchGuard& guard, PlanResult& result) {
   const StateId start = graph.mostProbableStart();
   const StateId goal = graph.mostProbableGoal();
-  const std::vector<std::size_t> actions = actionsFrom(graph, start, legality_threshold, 0);
   result.reason =
       "no legal and valid steps lead to the goal within " + std::to_string(horizon) + " actions";
+  const std::vector<std::size_t> actions =
+      actionsFrom(graph, start, legality_threshold, kNotReached, isValid, guard);
+  if (guard.stopped()) return;
   if (actions[index(goal)] <= horizon) {
     result.reason += " unless an action has an outcome that is not its most probable one";
     return;
   }
-  const StateId nearest = nearestReached(graph, goal, legality_threshold, actions, horizon);
-  result.nearest = graph.symbols(nearest);
+  const auto nearest = nearestReached(graph, goal, legality_threshold, actions, horizon, guard);
+  if (!nearest) return;
+  result.nearest = graph.symbols(*nearest);
   if (actions[index(goal)] != kNotReached) {
     result.reason += "; it takes at least " + std::to_string(actions[index(goal)]);
     return;
   }
-  const ObjectSet blocking = blockingObjects(graph, start, goal, legality_threshold);
+  const ObjectSet blocking = blockingObjects(graph, start, goal, legality_threshold, guard);
   std::vector<std::string> numbers;
   for (std::size_t other = 0; other < kMostObjects; ++other) {
     if ((blocking >> other & 1) == 0) continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "conceptplan/planners/plan_result.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 #include "conceptplan/planners/symbol_graph.hpp"
 
 namespace conceptplan {
@@ -20,6 +21,11 @@ std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
                                      double legality_threshold, std::size_t horizon,
                                      std::size_t most);
 
+/// Whether legal actions and valid outcomes lead from a state to the goal within the horizon; false
+/// if a limit strikes before it shows.
+bool isInReach(const SymbolGraph& graph, StateId start, StateId goal, double legality_threshold,
+               std::size_t horizon, SearchGuard& guard);
+
 /// The concepts frozen in this problem in which start and goal most probably differ, as a sentence;
 /// empty if there are none.
 std::string frozenMismatch(const SymbolGraph& graph);
@@ -31,8 +37,8 @@ std::string frozenMismatch(const SymbolGraph& graph);
 /// The blocking objects are the fewest without which the goal would be in reach, however many
 /// actions that took; none are named if the goal would be out of reach without any object, or if
 /// the search for them grew too long. A state that meets several objects counts for the one that
-/// its verdict names.
+/// its verdict names. Once a limit strikes, the reason alone is told.
 void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,
-                       PlanResult& result);
+                       SearchGuard& guard, PlanResult& result);
 
 }  // namespace conceptplan

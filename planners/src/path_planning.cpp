@@ -28,7 +28,7 @@ PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double 
     } else if (!mismatch.empty()) {
       result.reason = mismatch;
     } else {
-      explainInfeasible(graph, legality_threshold, query.limits.horizon, result);
+      explainInfeasible(graph, legality_threshold, query.limits.horizon, guard, result);
     }
     result.rejections = traceRejections(
         graph,

@@ -16,19 +16,37 @@ SearchGuard::SearchGuard(const SearchLimits& limits)
                     std::chrono::duration<double>(std::min(limits.timeout_s, kLongestTimeout_s)))) {
 }
 
-bool SearchGuard::goesOn(const SearchStatistics& statistics) {
+bool SearchGuard::goesOn() {
   if (stopped_) return false;
-  if (limits_.cancel != nullptr && limits_.cancel->load(std::memory_order_relaxed)) {
+  if (isCancelled()) {
+    stop(PlanStatus::kLimit, "cancelled");
+  } else if (asked_++ % kClockInterval == 0) {
+    stopIfLate();
+  }
+  return !stopped_;
+}
+
+bool SearchGuard::mayExpand(const SearchStatistics& statistics) {
+  if (stopped_) return false;
+  if (isCancelled()) {
     stop(PlanStatus::kLimit, "cancelled");
   } else if (statistics.expanded >= limits_.max_expansions) {
     stop(PlanStatus::kLimit,
          "stopped at the limit of " + std::to_string(limits_.max_expansions) + " expansions");
-  } else if (statistics.expanded % kClockInterval == 0 &&
-             std::chrono::steady_clock::now() >= deadline_) {
-    stop(PlanStatus::kTimeout,
-         "stopped at the time limit of " + std::to_string(limits_.timeout_s) + " s");
+  } else if (statistics.expanded % kClockInterval == 0) {
+    stopIfLate();
   }
   return !stopped_;
+}
+
+bool SearchGuard::isCancelled() const {
+  return limits_.cancel != nullptr && limits_.cancel->load(std::memory_order_relaxed);
+}
+
+void SearchGuard::stopIfLate() {
+  if (std::chrono::steady_clock::now() < deadline_) return;
+  stop(PlanStatus::kTimeout,
+       "stopped at the time limit of " + std::to_string(limits_.timeout_s) + " s");
 }
 
 void SearchGuard::stop(PlanStatus status, std::string reason) {

@@ -25,6 +25,11 @@ StepRules rules() {
           [](double probability) { return toPathCost(0.01 - std::log(probability)); }};
 }
 
+JointSpace spaceOf(const JointWorld& world, const StateValidity& validity) {
+  SearchGuard guard(SearchLimits{});
+  return JointSpace::make(world.model, world.problem, validity, rules(), guard).value();
+}
+
 /// The start and all states that it leads to.
 std::set<JointState> reachable(JointSpace& space) {
   std::set<JointState> seen{space.start()};
@@ -45,7 +50,7 @@ std::set<JointState> reachable(JointSpace& space) {
 /// h(goal) = 0, and h(s) <= c(s, s') + h(s') for every step.
 void expectConsistentBound(const JointWorld& world) {
   const GridValidity validity;
-  JointSpace space(world.model, world.problem, validity, rules());
+  JointSpace space = spaceOf(world, validity);
   EXPECT_EQ(space.bound(space.goal()), 0);
   std::vector<JointSuccessor> next;
   for (const JointState state : reachable(space)) {
@@ -76,14 +81,14 @@ TEST(JointSpace, BoundIsExactWhereTargetsDoNotMeet) {
   // Two steps for one and three for the other, on rows of their own.
   const JointWorld world = jointGrid(4, 2, 1, {{{0, 0}, {2, 0}}, {{3, 1}, {0, 1}}});
   const GridValidity validity;
-  const JointSpace space(world.model, world.problem, validity, rules());
+  const JointSpace space = spaceOf(world, validity);
   EXPECT_EQ(space.bound(space.start()), rankOf(5 * toPathCost(0.01), 5));
 }
 
 TEST(JointSpace, NoTwoTargetsShareACell) {
   const JointWorld world = jointGrid(2, 2, 1, {{{0, 0}, {1, 1}}, {{1, 0}, {0, 1}}});
   const GridValidity validity;
-  JointSpace space(world.model, world.problem, validity, rules());
+  JointSpace space = spaceOf(world, validity);
   EXPECT_EQ(reachable(space).size(), 4u * 3);
   for (const JointState state : reachable(space)) {
     EXPECT_NE(space.symbols(state, 0), space.symbols(state, 1));
@@ -96,7 +101,7 @@ TEST(JointSpace, AColourIsTakenFromWhereTheDyerHasMoved) {
   std::vector<JointSuccessor> next;
   for (const std::uint64_t seed : {1u, 3u, 5u, 7u}) {  // worlds with one dyer
     const JointWorld world = dyerWorld(seed);
-    JointSpace space(world.model, world.problem, validity, rules());
+    JointSpace space = spaceOf(world, validity);
     for (const JointState state : reachable(space)) {
       const Cell thing = world.model.grounding.cell(space.symbols(state, 0));
       const Cell dyer = world.model.grounding.cell(space.symbols(state, 1));
@@ -117,7 +122,7 @@ TEST(JointSpace, AColourIsTakenFromWhereTheDyerHasMoved) {
 TEST(JointSpace, ChecksAPairOfPlacesOnce) {
   const JointWorld world = jointGrid(3, 2, 4, {{{0, 0, 0}, {2, 1, 2}}, {{1, 0, 0}, {1, 1, 1}}});
   const GridValidity validity;
-  JointSpace space(world.model, world.problem, validity, rules());
+  JointSpace space = spaceOf(world, validity);
   reachable(space);
   // Each of six cells for each target alone, and each pair of cells; rotations share them.
   EXPECT_LE(space.validityChecks(), 6u + 6 + 36);
@@ -126,7 +131,7 @@ TEST(JointSpace, ChecksAPairOfPlacesOnce) {
 TEST(JointSpace, TellsOfContradictionsWithoutASearch) {
   const GridValidity validity;
   const auto contradiction = [&](const JointWorld& world) {
-    return JointSpace(world.model, world.problem, validity, rules()).contradiction();
+    return spaceOf(world, validity).contradiction();
   };
   EXPECT_THAT(contradiction(jointGrid(3, 1, 1, {{{0, 0}, {1, 0}}, {{2, 0}, {1, 0}}})),
               HasSubstr("the goals of object 0 and object 1 rule each other out"));
@@ -150,7 +155,7 @@ TEST(JointSpace, RefusesMoreStatesThanItCanCount) {
   for (std::size_t x = 0; x < 13; ++x) targets.push_back({{x, 0}, {x, 1}});
   const JointWorld world = jointGrid(13, 3, 4, targets);
   const GridValidity validity;
-  EXPECT_THAT([&] { JointSpace(world.model, world.problem, validity, rules()); },
+  EXPECT_THAT([&] { spaceOf(world, validity); },
               ::testing::ThrowsMessage<std::invalid_argument>(
                   "the joint states of 13 targets cannot be counted in 63 bits"));
 }

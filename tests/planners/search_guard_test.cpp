@@ -43,6 +43,25 @@ TEST(SearchGuard, StopsWhenItIsCancelled) {
   EXPECT_FALSE(guard.expand(statistics));
 }
 
+TEST(SearchGuard, OtherWorkEndsByTimeAndCancelButIsNotCounted) {
+  std::atomic<bool> cancel{false};
+  SearchLimits limits;
+  limits.max_expansions = 1;
+  limits.cancel = &cancel;
+  SearchGuard guard(limits);
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(guard.goesOn());
+  cancel = true;
+  EXPECT_FALSE(guard.goesOn());
+  EXPECT_EQ(guard.reason(), "cancelled");
+  cancel = false;
+  EXPECT_FALSE(guard.goesOn());
+
+  limits.timeout_s = 1e-9;
+  SearchGuard late(limits);
+  EXPECT_FALSE(late.goesOn());
+  EXPECT_EQ(late.stopped(), PlanStatus::kTimeout);
+}
+
 TEST(SearchGuard, APlannerMayStopItself) {
   SearchGuard guard(SearchLimits{});
   SearchStatistics statistics;

@@ -18,11 +18,15 @@ class SearchGuard {
   bool expand(SearchStatistics& statistics) {
     const bool is_due = statistics.expanded % kClockInterval == 0 || limits_.cancel != nullptr;
     if (is_due || stopped_ || statistics.expanded >= limits_.max_expansions) {
-      if (!goesOn(statistics)) return false;
+      if (!mayExpand(statistics)) return false;
     }
     ++statistics.expanded;
     return true;
   }
+
+  /// For work that is no expansion, to be asked before each piece of it: false once the time is up
+  /// or the search is cancelled, or once it has been stopped.
+  bool goesOn();
 
   /// Which limit struck; nothing if none did.
   std::optional<PlanStatus> stopped() const { return stopped_; }
@@ -34,13 +38,16 @@ class SearchGuard {
   void stop(PlanStatus status, std::string reason);
 
  private:
-  /// The clock is read once in so many expansions.
+  /// The clock is read once in so many expansions or pieces of other work.
   static constexpr std::size_t kClockInterval = 32;
 
-  bool goesOn(const SearchStatistics& statistics);
+  bool mayExpand(const SearchStatistics& statistics);
+  bool isCancelled() const;
+  void stopIfLate();
 
   SearchLimits limits_;
   std::chrono::steady_clock::time_point deadline_;
+  std::size_t asked_ = 0;  // for work that is no expansion
   std::optional<PlanStatus> stopped_;
   std::string reason_;
 };
