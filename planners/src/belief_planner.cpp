@@ -89,11 +89,17 @@ bool ranksBefore(const Plan& a, const Plan& b) {
   return a.actions < b.actions;
 }
 
-/// The action sequences to judge exactly and rank: the best ones to different outcomes, if they are
-/// asked for, then the best ones.
-std::vector<ScoredSequence> candidates(const BeliefTask& task, const PlanQuery& query,
-                                       const BeliefPlannerOptions& options, SearchGuard& guard,
-                                       SearchStatistics& statistics) {
+/// The action sequences to judge exactly and rank.
+struct Candidates {
+  std::vector<ScoredSequence> sequences;
+  bool left_out = false;   ///< as in BestSequences
+  bool all_starts = true;  ///< whether no start state was too improbable to guide the search
+};
+
+/// The best sequences to different outcomes, if they are asked for, then the best ones.
+Candidates candidates(const BeliefTask& task, const PlanQuery& query,
+                      const BeliefPlannerOptions& options, SearchGuard& guard,
+                      SearchStatistics& statistics) {
   const SparseBelief start = withoutImprobable(task.start, options.min_hypothesis);
   BeliefSearchOptions search;
   search.legality_threshold = options.legality_threshold;
@@ -104,21 +110,40 @@ std::vector<ScoredSequence> candidates(const BeliefTask& task, const PlanQuery& 
   search.paths_per_belief = query.top;
   const auto values = beliefValues(task.graph, task.goal, search, guard);
   if (!values) return {};
-  const std::vector<ScoredSequence> paths =
+  const BestSequences paths =
       bestSequences(task.graph, start, task.goal, *values, search, guard, statistics);
-  if (options.alternatives == Alternatives::kPaths || guard.stopped()) return paths;
+  Candidates found{paths.sequences, paths.left_out, start.size() == task.start.size()};
+  if (options.alternatives == Alternatives::kPaths || guard.stopped()) return found;
 
   search.paths_per_belief = 1;
   search.distinct_outcomes = true;
   search.least_share = options.alternative_share;
-  const std::vector<ScoredSequence> outcomes =
+  const BestSequences outcomes =
       bestSequences(task.graph, start, task.goal, *values, search, guard, statistics);
-  std::vector<ScoredSequence> sequences;
+  found.sequences.clear();
   // Outcomes found before a limit struck need not hold the best sequence.
-  if (guard.stopped()) addNew(sequences, paths, 1);
-  addNew(sequences, outcomes, query.top);
-  addNew(sequences, paths, query.top);
-  return sequences;
+  if (guard.stopped()) addNew(found.sequences, paths.sequences, 1);
+  addNew(found.sequences, outcomes.sequences, query.top);
+  addNew(found.sequences, paths.sequences, query.top);
+  return found;
+}
+
+/// Stops the guard if sequences that were left out may be plans, though none was found.
+/// @param goal_in_reach whether any sequence to the goal is a plan, however improbable
+void giveUpIfLeftOut(const Candidates& found, bool goal_in_reach,
+                     const BeliefPlannerOptions& options, std::size_t horizon, SearchGuard& guard) {
+  // Of what scores less than kLeastScore, which the discount lowers the more the longer it is.
+  const double most_probable =
+      kLeastScore / std::pow(1 - options.step_discount, static_cast<double>(horizon));
+  if (found.left_out && (goal_in_reach || most_probable > options.min_probability)) {
+    guard.stop(PlanStatus::kLimit,
+               "no plan was found, but sequences of actions were left out whose discounted "
+               "probability is below 1e-12");
+  } else if (!found.all_starts && goal_in_reach) {
+    guard.stop(PlanStatus::kLimit,
+               "no plan was found, but start states were left out whose share is below "
+               "min_hypothesis, and the goal is in reach");
+  }
 }
 
 }  // namespace
@@ -142,19 +167,21 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
   const std::string mismatch = frozenMismatch(graph);
   const double frozen = hard && !mismatch.empty() ? 0 : graph.frozenAgreement();
 
+  // With hard symbols the other objects are taken as most probably read too.
+  const std::size_t readings = hard ? 1 : graph.numReadings();
   const std::size_t horizon = query.limits.horizon;
 
   PlanResult result;
   SearchGuard guard(query.limits);
   bool goal_in_reach = false;
-  for (std::size_t i = 0; mismatch.empty() && !goal_in_reach && i < graph.numReadings(); ++i) {
+  for (std::size_t i = 0; mismatch.empty() && !goal_in_reach && i < readings; ++i) {
     goal_in_reach =
         isInReach(graph, graph.inReading(graph.mostProbableStart(), i),
                   graph.inReading(graph.mostProbableGoal(), i), task.threshold, horizon, guard);
   }
-  std::vector<ScoredSequence> sequences;
-  if (frozen > 0) sequences = candidates(task, query, options_, guard, result.statistics);
-  for (const ScoredSequence& sequence : sequences) {
+  Candidates found;
+  if (frozen > 0) found = candidates(task, query, options_, guard, result.statistics);
+  for (const ScoredSequence& sequence : found.sequences) {
     Plan plan = judged(task, sequence.actions, options_.ranking, discount);
     if (plan.probability > 0) result.plans.push_back(std::move(plan));
   }
@@ -177,6 +204,14 @@ PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& quer
     return result;
   }
   result.plans.clear();
+  if (!guard.stopped()) {
+    giveUpIfLeftOut(found, goal_in_reach, options_, horizon, guard);
+    for (std::size_t i = 0; mismatch.empty() && !guard.stopped() && i < readings; ++i) {
+      giveUpIfUnchecked(graph, graph.inReading(graph.mostProbableStart(), i),
+                        graph.inReading(graph.mostProbableGoal(), i), task.threshold, horizon,
+                        guard);
+    }
+  }
   result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
   result.reason = guard.stopped() ? guard.reason() : obstacle;
   if (!guard.stopped() && mismatch.empty()) {

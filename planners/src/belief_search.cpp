@@ -19,8 +19,6 @@ constexpr double kValueTolerance = 1e-15;
 /// An action costs at least this share of the score, so that of equally probable sequences the
 /// shorter come first.
 constexpr double kLeastStepDiscount = 1e-12;
-/// Scores below this are no plans.
-constexpr double kLeastScore = 1e-12;
 
 double discountOf(const BeliefSearchOptions& options) {
   return std::min(options.discount, 1 - kLeastStepDiscount);
@@ -39,7 +37,7 @@ class BeliefSearch {
         guard_(guard),
         dense_(graph.numStates(), 0) {}
 
-  std::vector<ScoredSequence> run(const SparseBelief& start, SearchStatistics& statistics) {
+  BestSequences run(const SparseBelief& start, SearchStatistics& statistics) {
     for (const Mass& entry : start) touch(entry.state, entry.mass);
     push(kRoot, Action::kMoveFront, 0, intern(takeTouched()));
     std::vector<ScoredSequence> found;
@@ -58,7 +56,7 @@ class BeliefSearch {
       expand(entry.node, statistics);
     }
     if (guard_.stopped()) takeBestSoFar(found);
-    return found;
+    return {std::move(found), left_out_};
   }
 
  private:
@@ -152,9 +150,15 @@ class BeliefSearch {
     return most;
   }
 
+  bool isLeftOut(double score) {
+    if (score >= kLeastScore) return false;
+    left_out_ = left_out_ || score > 0;
+    return true;
+  }
+
   void push(std::size_t parent, Action action, std::size_t length, std::size_t belief) {
     const double bound = std::pow(discount_, length) * valueBound(beliefs_[belief]);
-    if (bound < kLeastScore) return;
+    if (isLeftOut(bound)) return;
     nodes_.push_back({parent, action, length, belief});
     queue_.push({bound, false, length, nodes_.size() - 1});
   }
@@ -162,7 +166,7 @@ class BeliefSearch {
   void expand(std::size_t number, SearchStatistics& statistics) {
     const Node node = nodes_[number];
     const double score = std::pow(discount_, node.length) * weighed(beliefs_[node.belief], goal_);
-    if (score >= kLeastScore) queue_.push({score, true, node.length, number});
+    if (!isLeftOut(score)) queue_.push({score, true, node.length, number});
     if (node.length == options_.horizon) return;
     for (const Action action : kActions) {
       for (const Mass& entry : beliefs_[node.belief]) {
@@ -203,6 +207,7 @@ class BeliefSearch {
   double discount_;
   const std::vector<double>& values_;
   SearchGuard& guard_;
+  bool left_out_ = false;
   std::vector<SparseBelief> beliefs_;
   std::vector<std::vector<std::size_t>> expanded_lengths_;  // of the paths to each belief
   std::unordered_map<std::string, std::size_t> numbers_;
@@ -222,6 +227,7 @@ std::optional<std::vector<double>> beliefValues(const SymbolGraph& graph, const 
   std::vector<double> values = dense(goal, graph.numStates());
   for (std::size_t sweep = 0; sweep < options.horizon; ++sweep) {
     double change = 0;
+    bool reaches_more = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!guard.goesOn()) return std::nullopt;
       const StateActions actions(graph, static_cast<StateId>(i));
@@ -238,18 +244,18 @@ std::optional<std::vector<double>> beliefValues(const SymbolGraph& graph, const 
         best = std::max(best, discount * (options.ranking == Ranking::kJoint ? sum : most));
       }
       change = std::max(change, best - values[i]);
+      reaches_more = reaches_more || (best > 0 && values[i] == 0);
       values[i] = best;
     }
-    if (change < kValueTolerance) break;
+    if (change < kValueTolerance && !reaches_more) break;
   }
   return values;
 }
 
-std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const SparseBelief& start,
-                                          const SparseBelief& goal,
-                                          const std::vector<double>& values,
-                                          const BeliefSearchOptions& options, SearchGuard& guard,
-                                          SearchStatistics& statistics) {
+BestSequences bestSequences(const SymbolGraph& graph, const SparseBelief& start,
+                            const SparseBelief& goal, const std::vector<double>& values,
+                            const BeliefSearchOptions& options, SearchGuard& guard,
+                            SearchStatistics& statistics) {
   return BeliefSearch(graph, goal, values, options, guard).run(start, statistics);
 }
 

@@ -17,6 +17,9 @@ struct ScoredSequence {
   StateId outcome{};  ///< most probable final state, in reading 0
 };
 
+/// Sequences that score less are no plans.
+inline constexpr double kLeastScore = 1e-12;
+
 struct BeliefSearchOptions {
   double legality_threshold = 0;
   double discount = 1;  ///< of one action, in (0, 1]
@@ -30,10 +33,16 @@ struct BeliefSearchOptions {
 
 /// For kJoint the best discounted probability of the goal if the state could be seen after each
 /// action; for kConditional the best discounted goal of all states that actions may lead to.
-/// [states]. Nothing if a limit strikes.
+/// [states]; above zero wherever the goal can be reached within the horizon. Nothing if a limit
+/// strikes.
 std::optional<std::vector<double>> beliefValues(const SymbolGraph& graph, const SparseBelief& goal,
                                                 const BeliefSearchOptions& options,
                                                 SearchGuard& guard);
+
+struct BestSequences {
+  std::vector<ScoredSequence> sequences;  ///< best first
+  bool left_out = false;  ///< whether sequences were left out that score less than kLeastScore
+};
 
 /// The best action sequences by score, best first, by best-first search over beliefs.
 ///
@@ -49,10 +58,9 @@ std::optional<std::vector<double>> beliefValues(const SymbolGraph& graph, const 
 /// sequences found so far follow, unproved.
 /// @param start a measure over states; what it leaves out is not searched for.
 /// @param values `beliefValues` of the same goal and options.
-std::vector<ScoredSequence> bestSequences(const SymbolGraph& graph, const SparseBelief& start,
-                                          const SparseBelief& goal,
-                                          const std::vector<double>& values,
-                                          const BeliefSearchOptions& options, SearchGuard& guard,
-                                          SearchStatistics& statistics);
+BestSequences bestSequences(const SymbolGraph& graph, const SparseBelief& start,
+                            const SparseBelief& goal, const std::vector<double>& values,
+                            const BeliefSearchOptions& options, SearchGuard& guard,
+                            SearchStatistics& statistics);
 
 }  // namespace conceptplan

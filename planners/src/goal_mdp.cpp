@@ -141,7 +141,7 @@ PlanResult planByPolicy(const SymbolGraph& graph, const PlanQuery& query, double
             },
             {query.top, query.limits.horizon}, task.guard, task.statistics);
         if (paths.empty() && !task.guard.stopped()) {
-          task.guard.stop(PlanStatus::kFailed,
+          task.guard.stop(PlanStatus::kLimit,
                           "the goal can be reached, but not along the outcomes on which the policy "
                           "rests within " +
                               std::to_string(query.limits.horizon) + " actions");

@@ -136,6 +136,10 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
   } else if (guard.stopped()) {
     result.status = *guard.stopped();
     result.reason = guard.reason();
+  } else if (space.contradiction().empty() && space.failedChecks() > 0) {
+    result.status = PlanStatus::kLimit;
+    result.reason = "no plan was found, but " + std::to_string(space.failedChecks()) +
+                    " validity checks failed of states over which one may lead";
   } else {
     result.status = PlanStatus::kInfeasible;
     result.reason = space.contradiction().empty()

@@ -15,6 +15,11 @@ constexpr std::size_t kCheckedAtOnce = 256;
 
 constexpr JointState kMostJointStates = std::numeric_limits<std::int64_t>::max();
 
+/// Whether a check has shown that it cannot be.
+bool isRuledOut(Invalidity cause) {
+  return cause != Invalidity::kNone && cause != Invalidity::kCheckFailed;
+}
+
 std::string nameOf(const TargetGoal& target) {
   return target.name.empty() ? "object " + std::to_string(target.object) : target.name;
 }
@@ -31,7 +36,7 @@ std::optional<JointSpace> JointSpace::make(const SymbolicModel& model, const Joi
 }
 
 void JointSpace::build(const StepRules& rules, SearchGuard& guard) {
-  compatible_.resize(problem_.targets.size() * problem_.targets.size());
+  together_.resize(problem_.targets.size() * problem_.targets.size());
   watching_steps_.resize(problem_.targets.size());
   std::vector<bool> moves(problem_.objects.size(), false);
   for (const TargetGoal& target : problem_.targets) moves[target.object] = true;
@@ -86,10 +91,11 @@ void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& s
     validity_checks_ += count;
     for (const Verdict& verdict :
          validity_.checkAll(problem_.workbench, model_.grounding, rest.first(count), still)) {
-      standing.valid.push_back(verdict.valid());
+      standing.cause.push_back(verdict.cause);
     }
     rest = rest.subspan(count);
   }
+  standing.is_counted.assign(asked.size(), false);
 }
 
 std::vector<PathRank> JointSpace::ranksToGoal(std::size_t target, SearchGuard& guard) const {
@@ -98,7 +104,7 @@ std::vector<PathRank> JointSpace::ranksToGoal(std::size_t target, SearchGuard& g
   for (TargetState state = 0; state < moved.numStates(); ++state) {
     if (!guard.goesOn()) return {};
     for (const TargetStep& step : moved.possibleSteps(state)) {
-      if (!stands(target, step.next)) continue;
+      if (isRuledOut(causeAt(target, step.next))) continue;
       edges.push_back({StateId(state), StateId(step.next), rankOf(step.cost, 1)});
     }
   }
@@ -127,7 +133,7 @@ std::string JointSpace::findContradiction() {
     for (std::size_t j = 0; j < i; ++j) {
       const bool both_there =
           part(start_, i) == part(goal_, i) && part(start_, j) == part(goal_, j);
-      if (both_there || compatible(j, part(goal_, j), i, part(goal_, i))) continue;
+      if (both_there || !isRuledOut(together(j, part(goal_, j), i, part(goal_, i)))) continue;
       add("the goals of " + nameOf(problem_.targets[j]) + " and " + nameOf(target) +
           " rule each other out");
     }
@@ -145,19 +151,32 @@ PathRank JointSpace::bound(JointState state) const {
   return sum;
 }
 
-bool JointSpace::compatible(std::size_t a, TargetState state_a, std::size_t b,
-                            TargetState state_b) {
-  if (a > b) return compatible(b, state_b, a, state_a);
+bool JointSpace::stands(std::size_t target, TargetState state) {
+  const Invalidity cause = causeAt(target, state);
+  if (cause == Invalidity::kCheckFailed) {
+    Standing& views = standing_[target];
+    const std::size_t view = views.view[state];
+    if (!views.is_counted[view]) ++failed_checks_;
+    views.is_counted[view] = true;
+  }
+  return cause == Invalidity::kNone;
+}
+
+Invalidity JointSpace::together(std::size_t a, TargetState state_a, std::size_t b,
+                                TargetState state_b) {
+  if (a > b) return together(b, state_b, a, state_a);
   const std::uint64_t key =
-      standing_[a].view[state_a] * standing_[b].valid.size() + standing_[b].view[state_b];
-  const auto [entry, is_new] = compatible_[a * targets_.size() + b].try_emplace(key, false);
+      standing_[a].view[state_a] * standing_[b].cause.size() + standing_[b].view[state_b];
+  const auto [entry, is_new] =
+      together_[a * targets_.size() + b].try_emplace(key, Invalidity::kNone);
   if (is_new) {
     ++validity_checks_;
     const Symbols other = targets_[b].symbols(state_b);
     entry->second =
         validity_
             .check(problem_.workbench, model_.grounding, targets_[a].symbols(state_a), {&other, 1})
-            .valid();
+            .cause;
+    if (entry->second == Invalidity::kCheckFailed) ++failed_checks_;
   }
   return entry->second;
 }
@@ -192,7 +211,7 @@ void JointSpace::successors(JointState state, std::vector<JointSuccessor>& next)
       if (!stands(i, step.next)) continue;
       bool free = true;
       for (std::size_t j = 0; free && j < targets_.size(); ++j) {
-        free = j == i || compatible(i, step.next, j, part(state, j));
+        free = j == i || together(i, step.next, j, part(state, j)) == Invalidity::kNone;
       }
       if (free) next.push_back({i, step, state + step.next * stride_[i] - from * stride_[i]});
     }

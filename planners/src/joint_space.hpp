@@ -40,6 +40,10 @@ class JointSpace {
   JointState goal() const { return goal_; }
   std::size_t validityChecks() const { return validity_checks_; }
 
+  /// How many views of targets, and pairs of views, were met whose validity check failed: what
+  /// leads over them is no way out of a state, although it may be one.
+  std::size_t failedChecks() const { return failed_checks_; }
+
   /// Most probable symbols of a target in a state.
   Symbols symbols(JointState state, std::size_t target) const {
     return targets_[target].symbols(part(state, target));
@@ -51,7 +55,7 @@ class JointSpace {
   /// A lower bound of the rank of every way to the goal: the sum over the targets of the least rank
   /// at which each gets to its goal with the other targets out of its way, and where they serve it
   /// best. Admissible and consistent, since a step moves one target, and is one of its possible
-  /// steps. kOutOfReach where a target
+  /// steps. States whose validity check failed count as valid here. kOutOfReach where a target
   /// cannot get there.
   PathRank bound(JointState state) const;
 
@@ -61,7 +65,8 @@ class JointSpace {
  private:
   struct Standing {
     std::vector<std::size_t> view;  ///< of each state: its number among those checked together
-    std::vector<bool> valid;        ///< among the objects that are no targets, [views]
+    std::vector<Invalidity> cause;  ///< among the objects that are no targets, [views]
+    std::vector<bool> is_counted;   ///< in `failed_checks_`, [views]
   };
 
   JointSpace(const SymbolicModel& model, const JointProblem& problem, const StateValidity& validity)
@@ -76,10 +81,11 @@ class JointSpace {
   std::vector<PathRank> ranksToGoal(std::size_t target, SearchGuard& guard) const;
 
   std::string findContradiction();
-  bool stands(std::size_t target, TargetState state) const {
-    return standing_[target].valid[standing_[target].view[state]];
+  Invalidity causeAt(std::size_t target, TargetState state) const {
+    return standing_[target].cause[standing_[target].view[state]];
   }
-  bool compatible(std::size_t a, TargetState state_a, std::size_t b, TargetState state_b);
+  bool stands(std::size_t target, TargetState state);
+  Invalidity together(std::size_t a, TargetState state_a, std::size_t b, TargetState state_b);
   std::span<const TargetStep> steps(JointState state, std::size_t target);
 
   const SymbolicModel& model_;
@@ -94,7 +100,8 @@ class JointSpace {
   JointState goal_ = 0;
   std::string contradiction_;
   std::size_t validity_checks_ = 0;
-  std::vector<std::unordered_map<std::uint64_t, bool>> compatible_;  // [pairs of targets]
+  std::size_t failed_checks_ = 0;
+  std::vector<std::unordered_map<std::uint64_t, Invalidity>> together_;  // [pairs of targets]
   std::vector<std::unordered_map<JointState, std::vector<TargetStep>>>
       watching_steps_;  // [targets]
 };

@@ -30,6 +30,8 @@ using ObjectSet = std::uint32_t;
 
 bool isValid(const Verdict& verdict) { return verdict.valid(); }
 
+bool isUnchecked(const Verdict& verdict) { return verdict.cause == Invalidity::kCheckFailed; }
+
 bool isPassable(const Verdict& verdict, ObjectSet removed) {
   return verdict.valid() || (verdict.cause == Invalidity::kCollision &&
                              verdict.object < kMostObjects && (removed >> verdict.object & 1) != 0);
@@ -212,6 +214,26 @@ bool isInReach(const SymbolGraph& graph, StateId start, StateId goal, double leg
                std::size_t horizon, SearchGuard& guard) {
   return actionsFrom(graph, start, legality_threshold, horizon, isValid, guard)[index(goal)] !=
          kNotReached;
+}
+
+void giveUpIfUnchecked(const SymbolGraph& graph, StateId start, StateId goal,
+                       double legality_threshold, std::size_t horizon, SearchGuard& guard) {
+  const std::vector<Verdict>& verdicts = graph.tables().readings[graph.readingOf(start)].verdicts;
+  if (std::none_of(verdicts.begin(), verdicts.end(), isUnchecked)) return;
+  const std::vector<std::size_t> actions = actionsFrom(
+      graph, start, legality_threshold, horizon,
+      [](const Verdict& verdict) { return verdict.valid() || isUnchecked(verdict); }, guard);
+  if (guard.stopped() || actions[index(goal)] == kNotReached) return;
+  std::size_t unchecked = 0;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const auto state = static_cast<StateId>(i);
+    // That of the start is not asked for.
+    if (state != start && actions[i] != kNotReached && isUnchecked(graph.verdict(state)))
+      ++unchecked;
+  }
+  if (unchecked == 0) return;
+  guard.stop(PlanStatus::kLimit, "no plan was found, but the validity check failed in " +
+                                     std::to_string(unchecked) + " states over which one may lead");
 }
 
 void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,

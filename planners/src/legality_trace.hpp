@@ -26,6 +26,11 @@ std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
 bool isInReach(const SymbolGraph& graph, StateId start, StateId goal, double legality_threshold,
                std::size_t horizon, SearchGuard& guard);
 
+/// Stops the guard if validity checks failed in states of the start's reading over which the goal
+/// may be in reach, so that it is not proved to be out of reach.
+void giveUpIfUnchecked(const SymbolGraph& graph, StateId start, StateId goal,
+                       double legality_threshold, std::size_t horizon, SearchGuard& guard);
+
 /// The concepts frozen in this problem in which start and goal most probably differ, as a sentence;
 /// empty if there are none.
 std::string frozenMismatch(const SymbolGraph& graph);

@@ -22,6 +22,10 @@ PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double 
   const std::string mismatch = frozenMismatch(graph);
   const std::vector<StatePath> found = mismatch.empty() ? paths(task) : std::vector<StatePath>();
   if (found.empty()) {
+    if (!guard.stopped() && mismatch.empty()) {
+      giveUpIfUnchecked(graph, task.start, task.goal, legality_threshold, query.limits.horizon,
+                        guard);
+    }
     result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
     if (guard.stopped()) {
       result.reason = guard.reason();

@@ -25,7 +25,7 @@ const char* const kProvedOnLikelyOutcomes =
 /// What planners of the Markov decision process say of giving up.
 const char* const kProvedOnAllOutcomes =
     "infeasible is proved for all outcomes of all legal actions; giving up is limit or timeout; "
-    "failed if the goal can be reached, but not along the outcomes on which the policy rests.";
+    "limit also if the goal can be reached, but not along the outcomes on which the policy rests.";
 
 PlannerEntry beliefEntry() {
   return {
@@ -37,7 +37,10 @@ PlannerEntry beliefEntry() {
        "go to the shorter plan, then to the order of the actions.",
        "The first plan is the best one within the horizon, up to start states "
        "below min_hypothesis; a search stopped by a limit says so.",
-       "infeasible is proved on the compiled graph; giving up is limit or timeout."},
+       "infeasible is proved on the compiled graph; giving up is limit or timeout; limit also if "
+       "no "
+       "plan was found, but sequences of a discounted probability below 1e-12, or start states "
+       "below min_hypothesis from which the goal may be in reach, were left out."},
       {PlannerOption::legalityThreshold(),
        PlannerOption::choice("symbols", {"soft", "hard"},
                              "plan with the whole belief, or with the most probable symbols alone"),

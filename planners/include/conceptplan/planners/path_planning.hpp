@@ -26,8 +26,9 @@ using PathFinder = std::function<std::vector<StatePath>(const PathTask&)>;
 
 /// The answer of a planner that commits itself to the most probable symbols of start, goal and the
 /// other objects: what `Planner::search` of such a planner returns. All share this: they refuse a
-/// task in which a concept that nothing changes would have to change; a plan's probability is that
-/// of the whole belief (`probabilityOf`, joint), its cost that of its path; a failure has its
+/// task in which a concept that nothing changes would have to change; they give up, and prove
+/// nothing, where a plan may lead over states whose validity check failed; a plan's probability is
+/// that of the whole belief (`probabilityOf`, joint), its cost that of its path; a failure has its
 /// reason and rejections.
 /// @param legality_threshold an action is legal where Pr[a | Omega] is greater
 PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
