@@ -109,6 +109,7 @@ TEST_P(ExactPaths, AreTheBestOfFullEnumerationInOrder) {
 INSTANTIATE_TEST_SUITE_P(Planners, ExactPaths, ::testing::Values("dijkstra", "astar", "kbest"),
                          [](const auto& planner) { return std::string(planner.param); });
 
+// Korf 1985: the first solution of iterative deepening with a consistent heuristic is the best one.
 TEST(IdaStarOracle, ThePlanIsTheBestOfFullEnumeration) {
   for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
     SCOPED_TRACE(seed);
@@ -122,6 +123,7 @@ TEST(IdaStarOracle, ThePlanIsTheBestOfFullEnumeration) {
   }
 }
 
+// Moore 1959: breadth-first search finds the shortest paths.
 TEST(BfsOracle, PlansAreTheShortestOfFullEnumerationThenByTheOrderOfActions) {
   constexpr std::size_t kTop = 25;
   for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {
@@ -156,6 +158,7 @@ TEST_P(FindingPlanner, FindsAPlanWhereverOneIs) {
 INSTANTIATE_TEST_SUITE_P(Planners, FindingPlanner, ::testing::Values("greedy", "beam"),
                          [](const auto& planner) { return std::string(planner.param); });
 
+// Lowerre 1976: a beam search keeps so many candidates a length and is not complete.
 TEST(BeamOracle, TooNarrowABeamGivesUpInsteadOfProving) {
   std::size_t given_up = 0;
   for (std::uint64_t seed = 0; seed < kWorlds; ++seed) {

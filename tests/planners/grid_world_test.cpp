@@ -23,8 +23,8 @@ TEST(GridWorld, AFreeBenchOf40x25CellsIsCrossedInAsManyStepsAsItIsWide) {
   const GridWorld world = gridWorld(40, 25, 8, 0, 1);
   const SymbolGraph graph = compile(world.model, world.problem, GridValidity());
   EXPECT_EQ(graph.numStates(), 40u * 25 * 8);
-  for (const char* planner : {"bfs", "dijkstra", "astar", "kbest", "idastar", "greedy", "beam",
-                              "value-iteration", "lrtdp"}) {
+  for (const char* planner : {"belief", "bfs", "dijkstra", "astar", "kbest", "idastar", "greedy",
+                              "beam", "value-iteration", "lrtdp"}) {
     const PlanResult result = solve(planner, graph);
     ASSERT_EQ(result.status, PlanStatus::kSolved) << planner << ": " << result.reason;
     EXPECT_EQ(result.plans.front().actions.size(), 39u + 24 + 4) << planner;
@@ -32,7 +32,7 @@ TEST(GridWorld, AFreeBenchOf40x25CellsIsCrossedInAsManyStepsAsItIsWide) {
   EXPECT_EQ(solve("mcts", graph).status, PlanStatus::kSolved);
 }
 
-TEST(GridWorld, AmongObstaclesAstarAgreesWithDijkstraAndExpandsLess) {
+TEST(GridWorld, AmongObstaclesAstarAndBeliefAgreeWithDijkstraAndAstarExpandsLess) {
   std::size_t solved = 0;
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
@@ -41,9 +41,12 @@ TEST(GridWorld, AmongObstaclesAstarAgreesWithDijkstraAndExpandsLess) {
     const PlanResult blind = solve("dijkstra", graph);
     const PlanResult guided = solve("astar", graph);
     ASSERT_EQ(guided.status, blind.status);
+    const PlanResult believed = solve("belief", graph);
+    ASSERT_EQ(believed.status, blind.status);
     if (blind.status != PlanStatus::kSolved) continue;
     ++solved;
     EXPECT_EQ(guided.plans.front().cost, blind.plans.front().cost);
+    EXPECT_NEAR(believed.plans.front().cost, blind.plans.front().cost, 1e-6);
     EXPECT_LT(guided.statistics.expanded, blind.statistics.expanded);
   }
   EXPECT_GT(solved, 2u);

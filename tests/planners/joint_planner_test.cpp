@@ -76,6 +76,8 @@ void expectReplays(const JointWorld& world, const Plan& plan) {
 }
 
 /// That the planner finds the least cost, and a plan that replays, or proves that there is none.
+/// Hart, Nilsson and Raphael 1968: A* with an admissible heuristic does; here it is the sum of the
+/// targets' own least costs (Silver 2005).
 void expectOptimal(const JointWorld& world, std::size_t horizon,
                    const JointPlannerOptions& options = {}) {
   const auto least = testing::leastJointCost(world, horizon * world.problem.targets.size(),
@@ -202,6 +204,7 @@ TEST(JointPlanner, ATargetThatIsThereAlreadyGivesWay) {
   expectReplays(world, result.plans.front());
 }
 
+// The k shortest paths problem (Eppstein 1998), against full enumeration.
 TEST(JointPlanner, PlansAreTheBestOnesUpToTheOrderOfTheTargets) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
