@@ -1,7 +1,7 @@
 set(world_headers)
 foreach(header IN ITEMS
     action camera concept image image_quality input_error object object_crop symbols task workbench world
-    dataset/concept_dataset dataset/concept_dataset_writer dataset/dataset_summary
+    dataset/concept_dataset dataset/concept_dataset_writer dataset/dataset_state dataset/dataset_summary
     dataset/task_dataset dataset/task_dataset_writer
     simulation/concept_set simulation/judgement simulation/random_stream
     simulation/reference_planner simulation/second_target simulation/simulator simulation/task_generator)
@@ -21,6 +21,7 @@ set(world_sources
   src/dataset/concept_dataset.cpp
   src/dataset/concept_dataset_writer.cpp
   src/dataset/concept_shard.cpp
+  src/dataset/dataset_state.cpp
   src/dataset/dataset_summary.cpp
   src/dataset/manifest.cpp
   src/dataset/mapped_file.cpp

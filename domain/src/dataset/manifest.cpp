@@ -13,7 +13,6 @@ namespace conceptplan {
 namespace {
 
 constexpr int kVersion = 1;
-constexpr const char* kManifestName = "dataset.json";
 constexpr const char* kChecksumsName = "checksums.txt";
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string message) {
@@ -135,13 +134,38 @@ Manifest readManifest(const std::filesystem::path& folder, const std::string& ki
   return manifest;
 }
 
+void expectDataset(const Manifest& found, const std::filesystem::path& folder,
+                   const std::string& kind, const nlohmann::json& options) {
+  if (found.kind == kind && found.options == options) return;
+  std::vector<Fault> faults{
+      {folder.string(), {}, {}, "", "holds another dataset; remove it or choose another folder"}};
+  const auto differs = [&](const std::string& key, const std::string& expected,
+                           const std::string& there) {
+    faults.push_back({(folder / kManifestName).string(),
+                      {},
+                      {},
+                      key,
+                      "expected " + expected + ", found " + there});
+  };
+  if (found.kind != kind) {
+    differs("kind", '"' + kind + '"', '"' + found.kind + '"');
+  } else {
+    const auto text = [](const nlohmann::json& from, const std::string& key) {
+      return from.is_object() && from.contains(key) ? from[key].dump() : std::string("nothing");
+    };
+    for (const auto& option : options.items())
+      if (text(found.options, option.key()) != text(options, option.key()))
+        differs("options." + option.key(), text(options, option.key()),
+                text(found.options, option.key()));
+  }
+  throw InputError(std::move(faults));
+}
+
 void beginDataset(const std::filesystem::path& folder, const std::string& kind,
                   const nlohmann::json& options) {
   createFolder(folder);
   if (std::filesystem::exists(folder / kManifestName)) {
-    const Manifest found = readManifest(folder);
-    if (found.kind != kind || found.options != options)
-      fail(folder, "holds another dataset: " + found.kind + " with " + found.options.dump());
+    expectDataset(readManifest(folder), folder, kind, options);
   } else if (!std::filesystem::is_empty(folder)) {
     fail(folder, "is neither empty nor a dataset");
   }

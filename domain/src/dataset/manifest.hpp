@@ -12,6 +12,8 @@
 
 namespace conceptplan {
 
+inline constexpr const char* kManifestName = "dataset.json";
+
 /// dataset.json: what a folder holds.
 struct Manifest {
   std::string kind;  ///< "tasks" or "concepts"
@@ -39,6 +41,10 @@ Manifest readManifest(const std::filesystem::path& folder);
 
 /// The manifest of a complete set of that kind. @throws InputError as above, and otherwise.
 Manifest readManifest(const std::filesystem::path& folder, const std::string& kind);
+
+/// @throws InputError with every option that differs, if the manifest is of another dataset.
+void expectDataset(const Manifest& found, const std::filesystem::path& folder,
+                   const std::string& kind, const nlohmann::json& options);
 
 /// Writes an incomplete manifest, or finds that one of the same kind and options is there. A
 /// complete set becomes incomplete. @throws InputError if the folder holds something else.

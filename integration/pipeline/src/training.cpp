@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/checksum.hpp"
 #include "conceptplan/domain/files/nearest_name.hpp"
 #include "conceptplan/domain/input_error.hpp"
-#include "conceptplan/pipeline/generation.hpp"
 #include "torch_threads.hpp"
 #include "training_stages.hpp"
 
 namespace conceptplan {
 namespace training {
 namespace {
+
+constexpr const char* kManifestFile = "manifest.json";
 
 Profile cpuProfile() {
   Profile profile;
@@ -58,27 +58,6 @@ Profile smokeProfile() {
   return profile;
 }
 
-const char* folderName(Split split) {
-  return split == Split::kTrain ? "concepts-train" : "concepts-validation";
-}
-
-GenerationControl generationControl(const Run& run, const std::string& what) {
-  return {run.options.jobs,
-          [&run, what](std::size_t done, std::size_t total) {
-            run.report({"data: " + what, done, total, ""});
-          },
-          run.control.cancel};
-}
-
-/// Whether a dataset is there whose generation was not interrupted. What else is wrong with it is
-/// for its reader to tell.
-bool complete(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "dataset.json";
-  if (!std::filesystem::exists(path)) return false;
-  const nlohmann::json manifest = nlohmann::json::parse(readFile(path), nullptr, false);
-  return !manifest.is_object() || manifest.value("complete", nlohmann::json()) != false;
-}
-
 }  // namespace
 
 Profile profileNamed(const std::string& name) {
@@ -102,37 +81,19 @@ std::filesystem::path Run::checkpoint(TrainingStage stage) const {
   return options.model / (std::string(name(stage)) + ".checkpoint");
 }
 
-std::optional<ConceptDataset> conceptData(const Run& run, Split split) {
-  const auto folder = run.options.data / folderName(split);
-  const ConceptDatasetOptions wanted{split,
-                                     split == Split::kTrain ? run.profile.concept_samples : 1,
-                                     RenderDomain::kStandard, run.options.seed};
-  if (!complete(folder) &&
-      !generateConcepts(folder, wanted, generationControl(run, folderName(split))))
-    return std::nullopt;
-  ConceptDataset data(folder);
-  if (data.options().split != split)
-    throw InputError({{folder.string(), std::nullopt, std::nullopt, "split",
-                       std::string("expected the ") +
-                           (split == Split::kTrain ? "train" : "validation") + " split"}});
-  return data;
+namespace {
+
+/// The manifest has one seed, which says what the model never saw.
+void checkSeed(const Run& run, const ModelManifest& manifest) {
+  if (manifest.seed != run.options.seed)
+    throw InputError(
+        {{(run.options.model / kManifestFile).string(), std::nullopt, std::nullopt, "seed",
+          "expected " + std::to_string(run.options.seed) + ", found " +
+              std::to_string(manifest.seed) + "; go on with --seed " +
+              std::to_string(manifest.seed) + ", or train all stages anew"}});
 }
 
-std::optional<TaskDataset> taskData(const Run& run) {
-  const auto folder = run.options.data / "tasks-train";
-  TaskDatasetOptions wanted;
-  wanted.levels = {1, 2, 3, 4};
-  wanted.count = run.profile.tasks_per_level;
-  wanted.combination = Combination::kUnseenTask;  // so that evaluation has unseen tasks
-  wanted.seed = run.options.seed;
-  if (!complete(folder) && !generateTasks(folder, wanted, generationControl(run, "tasks-train")))
-    return std::nullopt;
-  TaskDataset data(folder);
-  if (data.options().split != Split::kTrain || data.options().frames != Frames::kAll)
-    throw InputError({{folder.string(), std::nullopt, std::nullopt, "split",
-                       "expected the train split with pictures of all steps"}});
-  return data;
-}
+}  // namespace
 
 }  // namespace training
 
@@ -152,10 +113,15 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
   ModelManifest manifest;
   const bool anew =
       !options.resume && !stages.empty() && stages.front() == TrainingStage::kLearnConcepts;
-  if (!anew && std::filesystem::exists(options.model / "manifest.json"))
+  if (!anew && std::filesystem::exists(options.model / training::kManifestFile)) {
     manifest = readModelManifest(options.model);
-  for (const TrainingStage stage : stages) {
-    if (options.resume && manifest.has(stage)) continue;
+    training::checkSeed(run, manifest);
+  }
+  std::vector<TrainingStage> missing;
+  for (const TrainingStage stage : stages)
+    if (!options.resume || !manifest.has(stage)) missing.push_back(stage);
+  for (const TrainingStage stage : missing) training::checkData(run, stage);
+  for (const TrainingStage stage : missing) {
     // A stage that is made anew undoes those that build on it.
     std::erase_if(manifest.stages, [&](TrainingStage done) { return done >= stage; });
     if (stage > TrainingStage::kLearnConcepts &&

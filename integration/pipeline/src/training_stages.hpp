@@ -39,7 +39,11 @@ struct Run {
   std::filesystem::path checkpoint(TrainingStage stage) const;
 };
 
-/// The datasets, generated if missing; nothing if cancelled meanwhile.
+/// Checks that what is there of a stage's datasets was made with the options of the run.
+/// @throws InputError that names what differs.
+void checkData(const Run& run, TrainingStage stage);
+
+/// The datasets, generated if missing; nothing if cancelled meanwhile. @throws as `checkData`.
 std::optional<ConceptDataset> conceptData(const Run& run, Split split);
 std::optional<TaskDataset> taskData(const Run& run);
 

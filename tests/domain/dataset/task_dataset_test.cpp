@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "conceptplan/domain/dataset/dataset_state.hpp"
 #include "conceptplan/domain/dataset/task_dataset_writer.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/checksum.hpp"
@@ -240,6 +241,33 @@ TEST(TaskDatasetWriter, AnotherDatasetIsNotOverwritten) {
   EXPECT_THAT(faultsOf([&] { TaskDatasetWriter(folder.path(), other); }),
               HasSubstr("holds another dataset"));
   EXPECT_EQ(readingFaults(folder.path()), "");
+}
+
+TEST(DatasetState, IsThatOfTheDatasetWithTheseOptions) {
+  const TemporaryFolder folder;
+  const TaskDatasetOptions options = smallOptions();
+  EXPECT_EQ(datasetState(folder / "none", options), DatasetState::kMissing);
+  EXPECT_EQ(datasetState(folder.path(), options), DatasetState::kMissing);
+  const TaskDatasetWriter writer(folder.path(), options);
+  EXPECT_EQ(datasetState(folder.path(), options), DatasetState::kInterrupted);
+  writer.finish();
+  EXPECT_EQ(datasetState(folder.path(), options), DatasetState::kComplete);
+}
+
+TEST(DatasetState, NamesEveryOptionThatDiffers) {
+  const TemporaryFolder folder;
+  const TaskDatasetWriter interrupted(folder.path(), smallOptions());
+  TaskDatasetOptions other = smallOptions();
+  other.seed = 13;
+  other.combination = Combination::kUnseenTask;
+  const std::string faults = faultsOf([&] { datasetState(folder.path(), other); });
+  EXPECT_THAT(faults, HasSubstr(folder.path().string() +
+                                ": holds another dataset; remove it or choose another folder"));
+  EXPECT_THAT(faults, HasSubstr("dataset.json: options.seed: expected 13, found 12"));
+  EXPECT_THAT(faults, HasSubstr("options.combination: expected \"unseen-task\", found \"all\""));
+  EXPECT_THAT(faults, testing::Not(HasSubstr("options.count")));
+  EXPECT_THAT(faultsOf([&] { datasetState(folder.path(), ConceptDatasetOptions{}); }),
+              HasSubstr("kind: expected \"concepts\", found \"tasks\""));
 }
 
 TEST(TaskDatasetWriter, OtherFilesAreNotMixedWithADataset) {

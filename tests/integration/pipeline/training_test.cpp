@@ -7,6 +7,7 @@
 #include <set>
 
 #include "conceptplan/domain/dataset/task_dataset.hpp"
+#include "conceptplan/domain/dataset/task_dataset_writer.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/domain/simulation/task_generator.hpp"
@@ -83,6 +84,44 @@ TEST_F(TrainedModel, InterruptedAndResumedEndsWithTheSameModel) {
   for (const char* file : {kConceptsFile, kSymbolsFile, kTransitionsFile, kVictFile})
     EXPECT_EQ(readFile(whole.model / file), readFile(parts.model / file)) << file;
   EXPECT_FALSE(std::filesystem::exists(parts.model / "concepts.checkpoint"));
+}
+
+TEST_F(TrainedModel, RefusesDataOfOtherOptions) {
+  TrainingOptions other = smokeOptions(root_, "other");
+  other.seed = 2;
+  EXPECT_THAT([&] { train(kAll, other, {}); },
+              testing::ThrowsMessage<InputError>(testing::AllOf(
+                  testing::HasSubstr("concepts-train: holds another dataset; remove it or choose"),
+                  testing::HasSubstr("options.seed: expected 2, found 1"))));
+  other.seed = 1;
+  other.profile = "cpu";
+  EXPECT_THAT([&] { train(kAll, other, {}); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("options.samples: expected 6, found 1")));
+
+  const TemporaryFolder folder;
+  TaskDatasetOptions tasks = TaskDataset(root_ / "data" / "tasks-train").options();
+  tasks.combination = Combination::kAll;
+  tasks.frames = Frames::kNone;
+  TaskDatasetWriter(folder.path() / "data" / "tasks-train", tasks).finish();
+  TrainingOptions transitions = smokeOptions(folder.path(), "");
+  transitions.model = root_ / "whole";
+  EXPECT_THAT(
+      [&] { train({TrainingStage::kCountTransitions}, transitions, {}); },
+      testing::ThrowsMessage<InputError>(testing::AllOf(
+          testing::HasSubstr("options.combination: expected \"unseen-task\", found \"all\""),
+          testing::HasSubstr("options.frames: expected \"all\", found \"none\""))));
+  EXPECT_TRUE(readModelManifest(root_ / "whole").has(TrainingStage::kTrainVict));
+}
+
+TEST_F(TrainedModel, RefusesModelsOfAnotherSeed) {
+  TrainingOptions other = smokeOptions(root_, "whole");
+  other.data = root_ / "other-data";
+  other.resume = true;
+  other.seed = 2;
+  EXPECT_THAT([&] { train(kAll, other, {}); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                  "manifest.json: seed: expected 2, found 1; go on with --seed 1")));
 }
 
 TEST(Train, RefusesUnknownProfilesAndStagesWithoutTheirPredecessors) {

@@ -43,8 +43,9 @@ struct TrainingControl {
 /// write a checkpoint every minute and when cancelled. Losses go to MODEL/training.jsonl.
 /// Validation splits choose temperatures and name symbols; test splits are never read.
 /// @returns whether all is done; false if cancelled
-/// @throws InputError for a damaged dataset or model, a stage whose predecessors are missing, an
-///   unknown profile, or a checkpoint of another run.
+/// @throws InputError for a damaged dataset or model, a dataset made with another seed, size or
+///   combination than the profile and `seed` ask for, a model begun with another seed, a stage whose
+///   predecessors are missing, an unknown profile, or a checkpoint of another run.
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control);
 
