@@ -93,6 +93,36 @@ void checkSeed(const Run& run, const ModelManifest& manifest) {
               std::to_string(manifest.seed) + ", or train all stages anew"}});
 }
 
+/// Finds what is wrong with a call before anything of the model is undone.
+/// @param missing the stages to be made, in order
+void checkInputs(const Run& run, const ModelManifest& manifest,
+                 const std::vector<TrainingStage>& missing) {
+  for (auto stage = missing.begin(); stage != missing.end(); ++stage) {
+    checkData(run, *stage);
+    if (*stage == TrainingStage::kLearnConcepts) {
+      if (!run.options.start_from.empty()) readFile(run.options.start_from / kConceptsFile);
+      continue;
+    }
+    const auto before = static_cast<TrainingStage>(static_cast<int>(*stage) - 1);
+    const bool kept = manifest.has(before) && before < missing.front();
+    if (!kept && std::find(missing.begin(), stage, before) == stage)
+      throw InputError({{run.options.model.string(), std::nullopt, std::nullopt, "",
+                         "stage " + std::string(name(*stage)) + " needs the stages before it"}});
+  }
+}
+
+/// Takes a stage and those that build on it out of the model, so that what is killed before the
+/// stage is made anew does not pass for finished.
+void undo(const Run& run, ModelManifest& manifest, TrainingStage first) {
+  for (int stage = static_cast<int>(first); stage < kNumTrainingStages; ++stage)
+    std::filesystem::remove(run.checkpoint(static_cast<TrainingStage>(stage)));
+  std::erase_if(manifest.stages, [&](TrainingStage done) { return done >= first; });
+  if (manifest.stages.empty())
+    std::filesystem::remove(run.options.model / kManifestFile);
+  else
+    writeModelManifest(run.options.model, manifest);
+}
+
 }  // namespace
 
 }  // namespace training
@@ -120,14 +150,9 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
   std::vector<TrainingStage> missing;
   for (const TrainingStage stage : stages)
     if (!options.resume || !manifest.has(stage)) missing.push_back(stage);
-  for (const TrainingStage stage : missing) training::checkData(run, stage);
+  training::checkInputs(run, manifest, missing);
+  if (!options.resume && !missing.empty()) training::undo(run, manifest, missing.front());
   for (const TrainingStage stage : missing) {
-    // A stage that is made anew undoes those that build on it.
-    std::erase_if(manifest.stages, [&](TrainingStage done) { return done >= stage; });
-    if (stage > TrainingStage::kLearnConcepts &&
-        !manifest.has(static_cast<TrainingStage>(static_cast<int>(stage) - 1)))
-      throw InputError({{options.model.string(), std::nullopt, std::nullopt, "",
-                         "stage " + std::string(name(stage)) + " needs the stages before it"}});
     if (stage == TrainingStage::kLearnConcepts) {
       manifest = {};
       manifest.name = std::filesystem::weakly_canonical(options.model).filename().string();

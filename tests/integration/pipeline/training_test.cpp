@@ -124,6 +124,48 @@ TEST_F(TrainedModel, RefusesModelsOfAnotherSeed) {
                   "manifest.json: seed: expected 2, found 1; go on with --seed 1")));
 }
 
+TEST_F(TrainedModel, TrainedAnewItIsNotFinishedUntilItIs) {
+  const TemporaryFolder folder;
+  TrainingOptions options = smokeOptions(root_, "whole");
+  options.model = folder.path() / "model";
+  std::filesystem::copy(root_ / "whole", options.model);
+  for (const TrainingStage stage :
+       {TrainingStage::kTrainVict, TrainingStage::kMakeSymbols, TrainingStage::kLearnConcepts}) {
+    const auto checkpoint = options.model / (std::string(name(stage)) + ".checkpoint");
+    writeFileAtomically(checkpoint, "of an earlier training");
+    const std::vector<TrainingStage> stages(kAll.begin() + static_cast<int>(stage), kAll.end());
+    const std::atomic<bool> cancel{true};
+    TrainingControl control;
+    control.cancel = &cancel;
+    EXPECT_FALSE(train(stages, options, control));
+    if (stage == TrainingStage::kLearnConcepts) {
+      EXPECT_FALSE(std::filesystem::exists(options.model / "manifest.json"));
+    } else {
+      const ModelManifest manifest = readModelManifest(options.model);
+      EXPECT_EQ(manifest.stages, std::vector(kAll.begin(), kAll.begin() + static_cast<int>(stage)));
+    }
+    if (std::filesystem::exists(checkpoint)) {
+      EXPECT_NE(readFile(checkpoint), "of an earlier training");
+    }
+  }
+  options.resume = true;
+  EXPECT_TRUE(train(kAll, options, {}));
+  for (const char* file : {kConceptsFile, kSymbolsFile, kTransitionsFile, kVictFile})
+    EXPECT_EQ(readFile(root_ / "whole" / file), readFile(options.model / file)) << file;
+}
+
+TEST_F(TrainedModel, AWrongCallLeavesItAsItWas) {
+  TrainingOptions options = smokeOptions(root_, "whole");
+  const std::string manifest = readFile(options.model / "manifest.json");
+  options.start_from = root_ / "nowhere";
+  EXPECT_THROW(train(kAll, options, {}), InputError);
+  options.start_from.clear();
+  options.seed = 2;
+  EXPECT_THROW(train(kAll, options, {}), InputError);
+  EXPECT_THROW(train({TrainingStage::kTrainVict}, options, {}), InputError);
+  EXPECT_EQ(readFile(options.model / "manifest.json"), manifest);
+}
+
 TEST(Train, RefusesUnknownProfilesAndStagesWithoutTheirPredecessors) {
   const TemporaryFolder folder;
   TrainingOptions options = smokeOptions(folder.path(), "model");

@@ -40,7 +40,9 @@ struct TrainingControl {
 };
 
 /// Trains the stages in order. Each writes its file and the manifest when it is done; the long ones
-/// write a checkpoint every minute and when cancelled. Losses go to MODEL/training.jsonl.
+/// write a checkpoint every minute and when cancelled. Losses go to MODEL/training.jsonl. Without
+/// `resume`, the stages and those that build on them are taken out of the model first, and their
+/// checkpoints removed; a wrong call changes nothing.
 /// Validation splits choose temperatures and name symbols; test splits are never read.
 /// @returns whether all is done; false if cancelled
 /// @throws InputError for a damaged dataset or model, a dataset made with another seed, size or
