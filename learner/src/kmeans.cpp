@@ -1,7 +1,11 @@
 #include "conceptplan/learner/kmeans.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -58,26 +62,104 @@ KMeansResult lloyd(const TokenMatrix& points, TokenMatrix centers, int max_itera
   return result;
 }
 
+bool hasSmallCluster(const std::vector<std::size_t>& sizes, double least_share) {
+  const auto points = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  const double least =
+      least_share * static_cast<double>(points) / static_cast<double>(sizes.size());
+  return std::any_of(sizes.begin(), sizes.end(),
+                     [&](std::size_t size) { return static_cast<double>(size) < least; });
+}
+
 }  // namespace
+
+ClusterLayout clusterLayout(const TokenMatrix& points, const TokenMatrix& centers) {
+  const Eigen::Index clusters = centers.rows();
+  if (clusters == 0 || points.rows() == 0)
+    throw std::invalid_argument("clusterLayout: " + std::to_string(clusters) + " clusters of " +
+                                std::to_string(points.rows()) + " points");
+  ClusterLayout layout;
+  layout.sizes.assign(static_cast<std::size_t>(clusters), 0);
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(clusters);
+  // along(a, b): squared offsets of a's points from its centre, along the line to the centre of b
+  Eigen::MatrixXd along = Eigen::MatrixXd::Zero(clusters, clusters);
+  const Eigen::MatrixXf distances = squaredDistances(points, centers);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    Eigen::Index own = 0;
+    const double square = distances.row(i).minCoeff(&own);
+    squares[own] += square;
+    ++layout.sizes[static_cast<std::size_t>(own)];
+    const Eigen::VectorXf offset = (points.row(i) - centers.row(own)).transpose();
+    for (Eigen::Index other = 0; other < clusters; ++other) {
+      const Eigen::VectorXf line = (centers.row(other) - centers.row(own)).transpose();
+      const double length = line.norm();
+      if (length > 0) along(own, other) += std::pow(line.dot(offset) / length, 2);
+    }
+  }
+  const auto rootMean = [&](double sum, Eigen::Index cluster) {
+    const std::size_t size = layout.sizes[static_cast<std::size_t>(cluster)];
+    return size > 0 ? std::sqrt(sum / static_cast<double>(size)) : 0.0;
+  };
+  for (Eigen::Index c = 0; c < clusters; ++c) layout.spreads.push_back(rootMean(squares[c], c));
+  layout.least_separation = std::numeric_limits<double>::infinity();
+  for (Eigen::Index a = 0; a < clusters; ++a)
+    for (Eigen::Index b = a + 1; b < clusters; ++b) {
+      const double distance = (centers.row(a) - centers.row(b)).norm();
+      const double deviation = rootMean(along(a, b), a) + rootMean(along(b, a), b);
+      const double separation = deviation > 0  ? distance / deviation
+                                : distance > 0 ? std::numeric_limits<double>::infinity()
+                                               : 0.0;
+      if (separation >= layout.least_separation) continue;
+      layout.least_separation = separation;
+      layout.first = static_cast<std::size_t>(a);
+      layout.second = static_cast<std::size_t>(b);
+    }
+  return layout;
+}
+
+std::string doubts(const ClusterLayout& layout, const KMeansOptions& options) {
+  std::ostringstream text;
+  text.precision(3);
+  const auto numberOf = [](const auto& list, auto element) { return element - list.begin(); };
+  const std::vector<std::size_t>& sizes = layout.sizes;
+  const std::vector<double>& spreads = layout.spreads;
+  if (hasSmallCluster(sizes, options.least_share)) {
+    const auto smallest = std::min_element(sizes.begin(), sizes.end());
+    text << "; cluster " << numberOf(sizes, smallest) << " has " << *smallest << " points of "
+         << std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  }
+  std::vector<double> sorted = spreads;
+  std::sort(sorted.begin(), sorted.end());
+  const double median = 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]);
+  const auto widest = std::max_element(spreads.begin(), spreads.end());
+  if (*widest > options.most_spread * median)
+    text << "; cluster " << numberOf(spreads, widest) << " spreads over " << *widest
+         << ", the median one over " << median << ": it may hold two values";
+  if (layout.least_separation < options.least_separation)
+    text << "; clusters " << layout.first << " and " << layout.second << " are "
+         << layout.least_separation << " of their deviations apart: they may be one value";
+  return text.str().empty() ? "" : text.str().substr(2);
+}
 
 KMeansResult kMeans(const TokenMatrix& points, std::size_t clusters, const KMeansOptions& options) {
   if (clusters == 0 || points.rows() < static_cast<Eigen::Index>(clusters))
     throw std::invalid_argument("kMeans: " + std::to_string(clusters) + " clusters of " +
                                 std::to_string(points.rows()) + " points");
   std::mt19937_64 generator(options.seed);
-  const double least =
-      options.least_share * static_cast<double>(points.rows()) / static_cast<double>(clusters);
   KMeansResult best;
+  bool best_has_small = false;
   for (int start = 0; start < std::max(1, options.restarts); ++start) {
     KMeansResult result =
         lloyd(points, plusPlusStart(points, static_cast<Eigen::Index>(clusters), generator),
               options.max_iterations);
-    for (const std::size_t size : result.sizes)
-      result.suspicious = result.suspicious || static_cast<double>(size) < least;
-    const bool better = best.sizes.empty() || (best.suspicious && !result.suspicious) ||
-                        (best.suspicious == result.suspicious && result.inertia < best.inertia);
-    if (better) best = std::move(result);
+    const bool has_small = hasSmallCluster(result.sizes, options.least_share);
+    const bool better = best.sizes.empty() || (best_has_small && !has_small) ||
+                        (best_has_small == has_small && result.inertia < best.inertia);
+    if (!better) continue;
+    best = std::move(result);
+    best_has_small = has_small;
   }
+  best.reason = doubts(clusterLayout(points, best.centers), options);
+  best.suspicious = !best.reason.empty();
   return best;
 }
 
