@@ -21,6 +21,7 @@ conceptplan_library(learner
     include/conceptplan/learner/torch/concept_trainer.hpp
     include/conceptplan/learner/torch/encoder_batch.hpp
     include/conceptplan/learner/torch/frame_synthesizer.hpp
+    include/conceptplan/learner/torch/generator_guard.hpp
     include/conceptplan/learner/torch/module_tensors.hpp
     include/conceptplan/learner/torch/object_drawer.hpp
     include/conceptplan/learner/torch/token_tensors.hpp
@@ -49,6 +50,7 @@ conceptplan_library(learner
     src/torch/concept_trainer.cpp
     src/torch/encoder_batch.cpp
     src/torch/frame_synthesizer.cpp
+    src/torch/generator_guard.cpp
     src/torch/module_tensors.cpp
     src/torch/object_drawer.cpp
     src/torch/token_tensors.cpp

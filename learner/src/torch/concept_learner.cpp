@@ -4,10 +4,19 @@
 
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
+#include "conceptplan/learner/torch/generator_guard.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/torch/token_tensors.hpp"
 
 namespace conceptplan {
+namespace {
+
+ConceptNetwork freshNetwork(EncoderKind encoder) {
+  const GeneratorGuard guard;
+  return ConceptNetwork(encoder);
+}
+
+}  // namespace
 
 struct ConceptLearner::Network {
   ConceptNetwork network;
@@ -15,7 +24,7 @@ struct ConceptLearner::Network {
 
 ConceptLearner::ConceptLearner(const NamedTensors& tensors, EncoderKind encoder,
                                const std::filesystem::path& path)
-    : network_(std::make_unique<Network>(Network{ConceptNetwork(encoder)})) {
+    : network_(std::make_unique<Network>(Network{freshNetwork(encoder)})) {
   setTensors(*network_->network, tensors, "concepts.", path);
   network_->network->eval();
 }

@@ -7,6 +7,7 @@
 
 #include "conceptplan/learner/torch/concept_losses.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
+#include "conceptplan/learner/torch/generator_guard.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/torch/training_state.hpp"
 
@@ -121,12 +122,6 @@ torch::Tensor drawingLoss(ConceptNetwork& network, const PairsToDraw& pairs,
   return options.reconstruction_weight * reconstruction + misplacement;
 }
 
-/// A fresh network whose weights depend on the seed alone.
-ConceptNetwork seededNetwork(EncoderKind encoder, std::uint64_t seed) {
-  torch::manual_seed(seed);
-  return ConceptNetwork(encoder);
-}
-
 /// Concept tokenizer and detokenizer first, all else second.
 std::vector<torch::optim::OptimizerParamGroup> parameterGroups(const ConceptNetworkImpl& network) {
   std::vector<torch::Tensor> tokenizers, others;
@@ -143,10 +138,14 @@ std::vector<torch::optim::OptimizerParamGroup> parameterGroups(const ConceptNetw
 }  // namespace
 
 ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options)
+    : ConceptTrainer(images, options, GeneratorGuard(options.seed)) {}
+
+ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options,
+                               const GeneratorGuard&)
     : images_(images),
       options_(options),
       sampler_(images),
-      network_(seededNetwork(options.encoder, options.seed)),
+      network_(options.encoder),
       average_(options.encoder),
       optimizer_(parameterGroups(*network_),
                  torch::optim::AdamWOptions(options.learning_rate).weight_decay(1e-4)) {
@@ -232,7 +231,7 @@ void ConceptTrainer::revivePrototypes(std::mt19937_64& generator) {
   const ChainBatch batch =
       drawBatch(images_, sampler_, kUseBatches * options_.chains, options_.augmentation, generator);
   const torch::Tensor tokens = readBatch(network_, batch.images).tokens;
-  torch::manual_seed(generator());
+  const GeneratorGuard guard(generator());
   for (const Concept which : kConcepts) {
     const auto prototypes = network_->prototypes(which);
     auto use = torch::softmax(network_->prototypeLogits(tokens, which), -1).mean(0);
@@ -298,6 +297,7 @@ void ConceptTrainer::descend(const torch::Tensor& loss, double progress, double 
 }
 
 ConceptNetwork ConceptTrainer::averaged() const {
+  const GeneratorGuard guard;
   ConceptNetwork copy(options_.encoder);
   copyParameters(*copy, *average_);
   copy->eval();

@@ -7,6 +7,7 @@
 
 #include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
+#include "conceptplan/learner/torch/generator_guard.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/torch/token_tensors.hpp"
 #include "conceptplan/learner/torch/training_state.hpp"
@@ -44,10 +45,13 @@ torch::Tensor actionTensor(const std::vector<Action>& actions) {
 
 VictTrainer::VictTrainer(const std::vector<TaskSequence>& sequences, const ConceptLearner& learner,
                          const VictTrainingOptions& options)
+    : VictTrainer(sequences, learner, options, GeneratorGuard(options.seed)) {}
+
+VictTrainer::VictTrainer(const std::vector<TaskSequence>& sequences, const ConceptLearner& learner,
+                         const VictTrainingOptions& options, const GeneratorGuard&)
     : sequences_(sequences),
       learner_(learner),
       options_(options),
-      transition_((torch::manual_seed(options.seed), CausalTransition())),
       transition_optimizer_(transition_->parameters(),
                             torch::optim::AdamWOptions(options.learning_rate).weight_decay(1e-4)),
       synthesis_optimizer_(synthesizer_->parameters(),

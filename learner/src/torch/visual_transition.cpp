@@ -10,6 +10,7 @@
 #include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/torch/causal_transition.hpp"
 #include "conceptplan/learner/torch/frame_synthesizer.hpp"
+#include "conceptplan/learner/torch/generator_guard.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/torch/token_tensors.hpp"
 
@@ -46,10 +47,15 @@ float windowWeight(int x, int y, WindowCorner corner, const RgbdImage& frame) {
 struct VisualTransition::Networks {
   CausalTransition transition;
   FrameSynthesizer synthesizer;
+
+  static std::unique_ptr<Networks> fresh() {
+    const GeneratorGuard guard;
+    return std::make_unique<Networks>();
+  }
 };
 
 VisualTransition::VisualTransition(const NamedTensors& tensors, const std::filesystem::path& path)
-    : networks_(std::make_unique<Networks>()) {
+    : networks_(Networks::fresh()) {
   setTensors(*networks_->transition, tensors, "transition.", path);
   setTensors(*networks_->synthesizer, tensors, "synthesizer.", path);
   networks_->transition->eval();

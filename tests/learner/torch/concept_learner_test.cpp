@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <thread>
+
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
@@ -49,6 +51,29 @@ TEST(ConceptLearner, DrawsPicturesInRange) {
     EXPECT_THAT(drawn[0].rgb, testing::Each(testing::AllOf(testing::Ge(0.0F), testing::Le(1.0F))));
     EXPECT_TRUE(learner.draw({}).empty());
   }
+}
+
+TEST(ConceptLearner, LoadingLeavesTorchsDefaultGeneratorAsItWas) {
+  const NamedTensors tensors = freshTensors(EncoderKind::kObjectCentred);
+  torch::manual_seed(11);
+  torch::randn({1});  // of a pair of normal numbers the second is kept
+  const auto expected = torch::randn({3});
+  torch::manual_seed(11);
+  torch::randn({1});
+  const ConceptLearner learner(tensors, EncoderKind::kObjectCentred, "m");
+  EXPECT_TRUE(torch::equal(torch::randn({3}), expected));
+}
+
+TEST(ConceptLearner, ManyThreadsMayLoadAtOnce) {
+  const NamedTensors tensors = freshTensors(EncoderKind::kObjectCentred);
+  torch::manual_seed(11);
+  const auto expected = torch::rand({3});
+  torch::manual_seed(11);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] { ConceptLearner(tensors, EncoderKind::kObjectCentred, "m"); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_TRUE(torch::equal(torch::rand({3}), expected));
 }
 
 TEST(ConceptLearner, NamesEveryTensorThatIsMissingOrMisshapen) {

@@ -153,10 +153,33 @@ TEST(ConceptTrainer, PutsPrototypesThatNoPictureUsesBesideTheOneUsedMost) {
   EXPECT_GT(torch::matmul(revived, seen).min().item<double>(), 0.9);
 }
 
+TEST(ConceptTrainer, LeavesTorchsDefaultGeneratorAsItWas) {
+  torch::manual_seed(11);
+  const auto expected = torch::rand({3});
+  torch::manual_seed(11);
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.encoder_steps = 3;
+  options.revival_interval = 1;
+  ConceptTrainer trainer(images, options);
+  for (int i = 0; i < 2; ++i) trainer.step();
+  trainer.averaged();
+  EXPECT_TRUE(torch::equal(torch::rand({3}), expected));
+}
+
 TEST(ConceptTrainer, RefusesACheckpointThatIsNone) {
   const ConceptImages images = twoConcepts();
   ConceptTrainer trainer(images, smallOptions());
   EXPECT_THROW(trainer.restore("not a checkpoint"), c10::Error);
+}
+
+TEST(ConceptTrainer, ThePapersTrainingIsItsNetworksLossesAndRatesAlone) {
+  const ConceptTrainingOptions paper = paperConceptTraining();
+  EXPECT_EQ(paper.encoder, EncoderKind::kFullFrame);
+  EXPECT_EQ(paper.learning_rate, 3e-4);
+  EXPECT_NEAR(paper.learning_rate * paper.tokenizer_rate_share, 1e-5, 1e-12);
+  EXPECT_EQ(paper.pair_weight + paper.use_weight + paper.confidence_weight, 0);
+  EXPECT_EQ(paper.sharpening_steps + paper.drawer_steps, 0);
 }
 
 TEST(ConceptTrainer, Eq3FallsOnOneBatchWithThePapersNetworksAndLossesAlone) {

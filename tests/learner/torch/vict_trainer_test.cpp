@@ -89,6 +89,37 @@ TEST(VictTrainer, AResumedRunEndsAsAnUninterruptedOne) {
     EXPECT_EQ(tensor.values, found.at(name).values) << name;
 }
 
+TEST(VictTrainer, LeavesTorchsDefaultGeneratorAsItWas) {
+  const ConceptLearner learner = freshLearner();
+  const auto data = sequences();
+  torch::manual_seed(11);
+  const auto expected = torch::rand({3});
+  torch::manual_seed(11);
+  VictTrainingOptions options = smallOptions();
+  options.transition_steps = options.synthesis_steps = 1;
+  VictTrainer trainer(data, learner, options);
+  while (trainer.stepsDone() < 2) trainer.step();
+  const VisualTransition loaded(trainer.tensors(), "m");
+  EXPECT_TRUE(torch::equal(torch::rand({3}), expected));
+}
+
+/// The same weights, whatever was drawn before: those of the seed.
+TEST(VictTrainer, DrawsTheWeightsOfItsSeed) {
+  const ConceptLearner learner = freshLearner();
+  const auto data = sequences();
+  VictTrainingOptions options = smallOptions();
+  options.seed = 4;
+  torch::manual_seed(4);
+  const CausalTransition transition;
+  const FrameSynthesizer synthesizer;
+  torch::manual_seed(77);
+  const NamedTensors drawn = VictTrainer(data, learner, options).tensors();
+  for (const auto& [name, tensor] : tensorsOf(*transition, "transition."))
+    EXPECT_EQ(tensor.values, drawn.at(name).values) << name;
+  for (const auto& [name, tensor] : tensorsOf(*synthesizer, "synthesizer."))
+    EXPECT_EQ(tensor.values, drawn.at(name).values) << name;
+}
+
 TEST(VictTrainer, RefusesSequencesWithoutActions) {
   const ConceptLearner learner = freshLearner();
   const std::vector<TaskSequence> still{{{frame(100, 1)}, {}, {}}};

@@ -48,6 +48,8 @@ struct ConceptTrainingOptions {
   std::uint64_t seed = 0;
 };
 
+class GeneratorGuard;
+
 /// Losses of one step; those of what does not learn in it are 0.
 struct ConceptLosses {
   double disentangling = 0;  ///< Eq. (2)
@@ -64,7 +66,7 @@ struct ConceptLosses {
 
 /// Trains the concept network on chains of pairs: Eq. (3) of arXiv 2310.03325, with the pair
 /// likelihood on prototypes beside it, in three phases. Each step draws from a generator of its
-/// own, so that a resumed run takes the same steps.
+/// own, so that a resumed run takes the same steps. Torch's default generator is left as it was.
 class ConceptTrainer {
  public:
   /// Keeps a reference to `images`.
@@ -92,6 +94,10 @@ class ConceptTrainer {
   void restore(const std::string& checkpoint);
 
  private:
+  /// The guard, which holds the seed, lives while the networks draw their weights.
+  ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options,
+                 const GeneratorGuard& guard);
+
   /// `progress` is the point of a phase, in 0..1.
   ConceptLosses tokenStep(std::mt19937_64& generator, double progress, bool sharpening);
   ConceptLosses drawerStep(std::mt19937_64& generator, double progress);

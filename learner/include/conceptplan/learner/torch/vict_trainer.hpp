@@ -24,6 +24,8 @@ struct VictTrainingOptions {
   std::uint64_t seed = 0;
 };
 
+class GeneratorGuard;
+
 /// Mean squared errors of one step; the terms of Eq. (8) of arXiv 2310.03325.
 struct VictLosses {
   double tokens = 0;          ///< L_MSE(C1', C1)
@@ -35,6 +37,7 @@ struct VictLosses {
 /// windows with objects as the transition predicts them. The paper trains both at once; since the
 /// concept learner is fixed, the token term has the same minimum alone, at a fraction of the cost.
 /// Each step draws from a generator of its own, so that a resumed run takes the same steps.
+/// Torch's default generator is left as it was.
 class VictTrainer {
  public:
   /// Keeps references to both.
@@ -53,6 +56,10 @@ class VictTrainer {
   void restore(const std::string& checkpoint);
 
  private:
+  /// The guard, which holds the seed, lives while the networks draw their weights.
+  VictTrainer(const std::vector<TaskSequence>& sequences, const ConceptLearner& learner,
+              const VictTrainingOptions& options, const GeneratorGuard& guard);
+
   VictLosses transitionStep(std::mt19937_64& generator);
   VictLosses synthesisStep(std::mt19937_64& generator);
   void setLearningRate(torch::optim::AdamW& optimizer, double progress) const;
