@@ -16,6 +16,7 @@ conceptplan_library(learner
     include/conceptplan/learner/tensor_file.hpp
     include/conceptplan/learner/tokens.hpp
     include/conceptplan/learner/torch/causal_transition.hpp
+    include/conceptplan/learner/torch/checkpoint_identity.hpp
     include/conceptplan/learner/torch/concept_losses.hpp
     include/conceptplan/learner/torch/concept_network.hpp
     include/conceptplan/learner/torch/concept_trainer.hpp
@@ -44,6 +45,7 @@ conceptplan_library(learner
     src/symbolizer.cpp
     src/tensor_file.cpp
     src/torch/causal_transition.cpp
+    src/torch/checkpoint_identity.cpp
     src/torch/concept_learner.cpp
     src/torch/concept_losses.cpp
     src/torch/concept_network.cpp

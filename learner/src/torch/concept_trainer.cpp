@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "conceptplan/domain/files/checksum.hpp"
 #include "conceptplan/learner/torch/concept_losses.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
 #include "conceptplan/learner/torch/generator_guard.hpp"
@@ -122,6 +123,46 @@ torch::Tensor drawingLoss(ConceptNetwork& network, const PairsToDraw& pairs,
   return options.reconstruction_weight * reconstruction + misplacement;
 }
 
+/// Which run a checkpoint is of: every option and a checksum of the images.
+CheckpointIdentity identityOf(const ConceptImages& images, const ConceptTrainingOptions& options) {
+  CheckpointIdentity identity;
+  identity.add("stage", std::string("concepts"));
+  identity.add("seed", options.seed);
+  identity.add("images", hexadecimal(images.checksum()));
+  identity.add("encoder", std::string(name(options.encoder)));
+  identity.add("encoder_steps", options.encoder_steps);
+  identity.add("sharpening_steps", options.sharpening_steps);
+  identity.add("drawer_steps", options.drawer_steps);
+  identity.add("chains", options.chains);
+  identity.add("drawer_chains", options.drawer_chains);
+  identity.add("learning_rate", options.learning_rate);
+  identity.add("tokenizer_rate_share", options.tokenizer_rate_share);
+  identity.add("warm_up", options.warm_up);
+  identity.add("reconstruction_start", options.reconstruction_start);
+  identity.add("reconstructed_pairs", options.reconstructed_pairs);
+  identity.add("foreground_weight", options.foreground_weight);
+  identity.add("disentangling_weight", options.disentangling_weight);
+  identity.add("pair_weight", options.pair_weight);
+  identity.add("use_weight", options.use_weight);
+  identity.add("confidence_weight", options.confidence_weight);
+  identity.add("reconstruction_weight", options.reconstruction_weight);
+  identity.add("revival_interval", options.revival_interval);
+  identity.add("sharpness_weight", options.sharpness_weight);
+  identity.add("reading_weight", options.reading_weight);
+  identity.add("drawer_rate_share", options.drawer_rate_share);
+  identity.add("settling", options.settling);
+  identity.add("averaging", options.averaging);
+  const AugmentationOptions& varied = options.augmentation;
+  identity.add("augmentation.occlusion", varied.occlusion);
+  identity.add("augmentation.mask_noise", varied.mask_noise);
+  identity.add("augmentation.shadow", varied.shadow);
+  identity.add("augmentation.gain", varied.gain);
+  identity.add("augmentation.channel_gain", varied.channel_gain);
+  identity.add("augmentation.noise", varied.noise);
+  identity.add("augmentation.shift_px", std::int64_t{varied.shift_px});
+  return identity;
+}
+
 /// Concept tokenizer and detokenizer first, all else second.
 std::vector<torch::optim::OptimizerParamGroup> parameterGroups(const ConceptNetworkImpl& network) {
   std::vector<torch::Tensor> tokenizers, others;
@@ -144,6 +185,7 @@ ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainin
                                const GeneratorGuard&)
     : images_(images),
       options_(options),
+      identity_(identityOf(images, options)),
       sampler_(images),
       network_(options.encoder),
       average_(options.encoder),
@@ -309,6 +351,7 @@ std::string ConceptTrainer::checkpoint() const {
   network_->save(network);
   average_->save(average);
   optimizer_.save(optimizer);
+  identity_.write(archive);
   archive.write("network", network);
   archive.write("average", average);
   archive.write("optimizer", optimizer);
@@ -318,10 +361,11 @@ std::string ConceptTrainer::checkpoint() const {
   return bytes.str();
 }
 
-void ConceptTrainer::restore(const std::string& checkpoint) {
+void ConceptTrainer::restore(const std::string& checkpoint, const std::filesystem::path& path) {
   torch::serialize::InputArchive archive, network, average, optimizer;
   std::istringstream bytes(checkpoint);
   archive.load_from(bytes);
+  identity_.check(archive, path);
   archive.read("network", network);
   archive.read("average", average);
   archive.read("optimizer", optimizer);

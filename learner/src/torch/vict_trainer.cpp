@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "conceptplan/domain/files/checksum.hpp"
 #include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/torch/generator_guard.hpp"
@@ -41,6 +42,37 @@ torch::Tensor actionTensor(const std::vector<Action>& actions) {
   return torch::tensor(numbers);
 }
 
+/// A checksum of all pictures and actions. Tokens are left out: with another number of threads they
+/// are read with other rounding.
+std::uint32_t checksum(const std::vector<TaskSequence>& sequences) {
+  std::string parts;
+  for (const TaskSequence& sequence : sequences) {
+    for (const SequenceFrame& frame : sequence.frames)
+      parts +=
+          hexadecimal(crc32({reinterpret_cast<const char*>(frame.rgb.data()), frame.rgb.size()}));
+    for (const Action action : sequence.actions) parts += ' ' + std::to_string(index(action));
+    parts += '\n';
+  }
+  return crc32(parts);
+}
+
+/// Which run a checkpoint is of: every option and what is learned from.
+CheckpointIdentity identityOf(const std::vector<TaskSequence>& sequences,
+                              const VictTrainingOptions& options) {
+  CheckpointIdentity identity;
+  identity.add("stage", std::string("vict"));
+  identity.add("seed", options.seed);
+  identity.add("pictures", hexadecimal(checksum(sequences)));
+  identity.add("source", options.source);
+  identity.add("transition_steps", options.transition_steps);
+  identity.add("transition_batch", options.transition_batch);
+  identity.add("synthesis_steps", options.synthesis_steps);
+  identity.add("synthesis_batch", options.synthesis_batch);
+  identity.add("learning_rate", options.learning_rate);
+  identity.add("averaging", options.averaging);
+  return identity;
+}
+
 }  // namespace
 
 VictTrainer::VictTrainer(const std::vector<TaskSequence>& sequences, const ConceptLearner& learner,
@@ -52,6 +84,7 @@ VictTrainer::VictTrainer(const std::vector<TaskSequence>& sequences, const Conce
     : sequences_(sequences),
       learner_(learner),
       options_(options),
+      identity_(identityOf(sequences, options)),
       transition_optimizer_(transition_->parameters(),
                             torch::optim::AdamWOptions(options.learning_rate).weight_decay(1e-4)),
       synthesis_optimizer_(synthesizer_->parameters(),
@@ -181,6 +214,7 @@ std::string VictTrainer::checkpoint() const {
   average_->save(average);
   transition_optimizer_.save(first);
   synthesis_optimizer_.save(second);
+  identity_.write(archive);
   archive.write("transition", transition);
   archive.write("synthesizer", synthesizer);
   archive.write("average", average);
@@ -192,10 +226,11 @@ std::string VictTrainer::checkpoint() const {
   return bytes.str();
 }
 
-void VictTrainer::restore(const std::string& checkpoint) {
+void VictTrainer::restore(const std::string& checkpoint, const std::filesystem::path& path) {
   torch::serialize::InputArchive archive, transition, synthesizer, average, first, second;
   std::istringstream bytes(checkpoint);
   archive.load_from(bytes);
+  identity_.check(archive, path);
   archive.read("transition", transition);
   archive.read("synthesizer", synthesizer);
   archive.read("average", average);

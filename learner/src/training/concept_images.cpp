@@ -3,11 +3,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "conceptplan/domain/files/checksum.hpp"
+
 namespace conceptplan {
 namespace {
 constexpr std::size_t kBytes =
     static_cast<std::size_t>(EncoderInput::kChannels) * EncoderInput::kPixels;
+
+template <typename Element>
+std::string checksumOf(const std::vector<Element>& elements) {
+  return hexadecimal(
+      crc32({reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element)}));
 }
+
+}  // namespace
 
 ConceptValues conceptValues(const ObjectState& object) {
   if (static_cast<std::size_t>(object.type) >= kNumSeenTypes)
@@ -25,6 +34,10 @@ void ConceptImages::add(const EncoderInput& input, const ConceptValues& values) 
   planes_.insert(planes_.end(), input.planes.begin(), input.planes.end());
   locations_.push_back(input.location);
   values_.push_back(values);
+}
+
+std::uint32_t ConceptImages::checksum() const {
+  return crc32(checksumOf(planes_) + checksumOf(locations_) + checksumOf(values_));
 }
 
 std::span<const std::uint8_t> ConceptImages::planes(std::size_t image) const {

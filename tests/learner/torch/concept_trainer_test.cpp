@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
+#include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "learner/random_crops.hpp"
@@ -151,6 +154,64 @@ TEST(ConceptTrainer, PutsPrototypesThatNoPictureUsesBesideTheOneUsedMost) {
       torch::nn::functional::normalize(trainer.averaged()->prototypes(Concept::kColor),
                                        torch::nn::functional::NormalizeFuncOptions().dim(1));
   EXPECT_GT(torch::matmul(revived, seen).min().item<double>(), 0.9);
+}
+
+/// The texts of all faults of restoring a checkpoint.
+std::string faultsOfRestoring(ConceptTrainer& trainer, const std::string& checkpoint) {
+  try {
+    trainer.restore(checkpoint, "m/concepts.checkpoint");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ConceptTrainer, RefusesACheckpointOfAnotherSeedOtherOptionsOrImages) {
+  using testing::HasSubstr;
+  using testing::Not;
+  const ConceptImages images = twoConcepts();
+  ConceptTrainer trained(images, smallOptions());
+  trained.step();
+  const std::string checkpoint = trained.checkpoint();
+
+  ConceptTrainer same(images, smallOptions());
+  EXPECT_EQ(faultsOfRestoring(same, checkpoint), "");
+  EXPECT_EQ(same.stepsDone(), 1);
+
+  ConceptTrainingOptions options = smallOptions();
+  options.seed = 5;
+  ConceptTrainer reseeded(images, options);
+  EXPECT_THAT(faultsOfRestoring(reseeded, checkpoint),
+              testing::AllOf(HasSubstr("m/concepts.checkpoint: seed: this run has 5, the "
+                                       "checkpoint is of 0; remove it to begin anew"),
+                             Not(HasSubstr("images"))));
+  EXPECT_EQ(reseeded.stepsDone(), 0);
+
+  options = smallOptions();
+  options.learning_rate = 0.25;
+  options.augmentation.gain = 0.5;
+  ConceptTrainer changed(images, options);
+  EXPECT_THAT(
+      faultsOfRestoring(changed, checkpoint),
+      testing::AllOf(HasSubstr("learning_rate: this run has 0.25, the checkpoint is of "
+                               "0.0015"),
+                     HasSubstr("augmentation.gain: this run has 0.5"), Not(HasSubstr("seed"))));
+
+  ConceptImages more = twoConcepts();
+  more.add(encoderInput(coloredBlob(3)), {0, 0, 0, 0, 2, 0});
+  ConceptTrainer elsewhere(more, smallOptions());
+  EXPECT_THAT(faultsOfRestoring(elsewhere, checkpoint), HasSubstr("images: this run has "));
+}
+
+TEST(ConceptTrainer, RefusesACheckpointThatDoesNotSayOfWhichRunItIs) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainer trainer(images, smallOptions());
+  torch::serialize::OutputArchive archive;
+  archive.write("steps_done", torch::tensor(std::int64_t{3}));
+  std::ostringstream bytes;
+  archive.save_to(bytes);
+  EXPECT_THAT(faultsOfRestoring(trainer, bytes.str()),
+              testing::HasSubstr("does not say of which seed, options and data it is"));
 }
 
 TEST(ConceptTrainer, LeavesTorchsDefaultGeneratorAsItWas) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/visual_transition.hpp"
@@ -87,6 +88,36 @@ TEST(VictTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   const auto found = second.tensors();
   for (const auto& [name, tensor] : whole.tensors())
     EXPECT_EQ(tensor.values, found.at(name).values) << name;
+}
+
+TEST(VictTrainer, RefusesACheckpointOfAnotherRun) {
+  using testing::HasSubstr;
+  const ConceptLearner learner = freshLearner();
+  auto data = sequences();
+  VictTrainingOptions options = smallOptions();
+  VictTrainer trained(data, learner, options);
+  trained.step();
+  const std::string checkpoint = trained.checkpoint();
+  const auto expectFault = [&](const std::string& fault) {
+    VictTrainer other(data, learner, options);
+    EXPECT_THAT([&] { other.restore(checkpoint, "m/vict.checkpoint"); },
+                testing::ThrowsMessage<InputError>(HasSubstr("m/vict.checkpoint: " + fault)));
+    EXPECT_EQ(other.stepsDone(), 0);
+  };
+  options.seed = 9;
+  expectFault("seed: this run has 9, the checkpoint is of 0; remove it to begin anew");
+  options = smallOptions();
+  options.synthesis_batch = 3;
+  expectFault("synthesis_batch: this run has 3, the checkpoint is of 2");
+  options = smallOptions();
+  options.source = "a model";
+  expectFault("source: this run has a model, the checkpoint is of ");
+  options = smallOptions();
+  data[1].frames[0].rgb[7] = 1;
+  expectFault("pictures: this run has ");
+  data = sequences();
+  data[1].actions[0] = Action::kMoveFront;
+  expectFault("pictures: this run has ");
 }
 
 TEST(VictTrainer, LeavesTorchsDefaultGeneratorAsItWas) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "conceptplan/learner/tensor_file.hpp"
+#include "conceptplan/learner/torch/checkpoint_identity.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/training/augmentation.hpp"
 #include "conceptplan/learner/training/chain_sampler.hpp"
@@ -88,10 +89,12 @@ class ConceptTrainer {
   /// The network with the moving average of its weights; shares nothing with the one in training.
   ConceptNetwork averaged() const;
 
-  /// All that a resumed run needs.
+  /// All that a resumed run needs, and which run it is of.
   std::string checkpoint() const;
-  /// @throws c10::Error if the bytes are not a checkpoint of the same network.
-  void restore(const std::string& checkpoint);
+  /// @param path stands in the faults. @throws InputError that names what differs if the checkpoint
+  /// is of another seed, other options or other images, or if it does not say of which.
+  /// @throws c10::Error if the bytes are not a checkpoint.
+  void restore(const std::string& checkpoint, const std::filesystem::path& path = "checkpoint");
 
  private:
   /// The guard, which holds the seed, lives while the networks draw their weights.
@@ -109,6 +112,7 @@ class ConceptTrainer {
 
   const ConceptImages& images_;
   ConceptTrainingOptions options_;
+  CheckpointIdentity identity_;
   ChainSampler sampler_;
   ConceptNetwork network_;
   ConceptNetwork average_;

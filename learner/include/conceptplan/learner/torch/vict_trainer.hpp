@@ -3,12 +3,14 @@
 #include <torch/torch.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "conceptplan/learner/concept_learner.hpp"
 #include "conceptplan/learner/torch/causal_transition.hpp"
+#include "conceptplan/learner/torch/checkpoint_identity.hpp"
 #include "conceptplan/learner/torch/frame_synthesizer.hpp"
 #include "conceptplan/learner/training/task_sequences.hpp"
 
@@ -22,6 +24,9 @@ struct VictTrainingOptions {
   double learning_rate = 1e-3;  ///< of Adam, at its peak; cosine decay to a fiftieth
   double averaging = 0.998;     ///< decay of the synthesizer's moving average
   std::uint64_t seed = 0;
+  /// What sequences and learner were made with, e.g. the checksums of the model's files; a
+  /// checkpoint of another source is refused.
+  std::string source;
 };
 
 class GeneratorGuard;
@@ -51,9 +56,12 @@ class VictTrainer {
   /// Parameters as `VisualTransition` takes them.
   NamedTensors tensors() const;
 
+  /// All that a resumed run needs, and which run it is of.
   std::string checkpoint() const;
-  /// @throws c10::Error if the bytes are not a checkpoint of the same networks.
-  void restore(const std::string& checkpoint);
+  /// @param path stands in the faults. @throws InputError that names what differs if the checkpoint
+  /// is of another seed, other options, pictures or actions, or if it does not say of which.
+  /// @throws c10::Error if the bytes are not a checkpoint.
+  void restore(const std::string& checkpoint, const std::filesystem::path& path = "checkpoint");
 
  private:
   /// The guard, which holds the seed, lives while the networks draw their weights.
@@ -67,6 +75,7 @@ class VictTrainer {
   const std::vector<TaskSequence>& sequences_;
   const ConceptLearner& learner_;
   VictTrainingOptions options_;
+  CheckpointIdentity identity_;
   CausalTransition transition_;
   FrameSynthesizer synthesizer_;
   FrameSynthesizer average_;

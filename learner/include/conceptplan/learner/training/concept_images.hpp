@@ -29,6 +29,9 @@ class ConceptImages {
   const std::array<float, 3>& location(std::size_t image) const { return locations_[image]; }
   const ConceptValues& values(std::size_t image) const { return values_[image]; }
 
+  /// CRC-32 of all images, where they lie and what they show, in order.
+  std::uint32_t checksum() const;
+
  private:
   std::vector<std::uint8_t> planes_;
   std::vector<std::array<float, 3>> locations_;
