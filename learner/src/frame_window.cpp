@@ -8,20 +8,33 @@
 namespace conceptplan {
 namespace {
 constexpr int kEdge = FrameWindow::kEdge;
+constexpr double kFarthest_px = 1e6;
+
+/// The whole number next to a pixel, no farther away than any frame reaches.
+int wholePixel(double pixel) {
+  return static_cast<int>(std::lround(std::clamp(pixel, -kFarthest_px, kFarthest_px)));
+}
+
 }  // namespace
 
 WindowCorner windowAround(double x, double y, int width, int height) {
   if (width < kEdge || height < kEdge)
     throw std::invalid_argument("windowAround: a frame of " + std::to_string(width) + " x " +
                                 std::to_string(height) + " is smaller than a window");
-  return {std::clamp(static_cast<int>(std::lround(x)) - kEdge / 2, 0, width - kEdge),
-          std::clamp(static_cast<int>(std::lround(y)) - kEdge / 2, 0, height - kEdge)};
+  if (!std::isfinite(x) || !std::isfinite(y))
+    throw std::invalid_argument("windowAround: no pixel lies at " + std::to_string(x) + ", " +
+                                std::to_string(y));
+  return {std::clamp(wholePixel(x) - kEdge / 2, 0, width - kEdge),
+          std::clamp(wholePixel(y) - kEdge / 2, 0, height - kEdge)};
 }
 
 WindowCorner cropCorner(const DrawnObject& object) {
   const Eigen::Vector2d centre = pixelOf(object.location);
-  return {static_cast<int>(std::lround(centre.x())) - DrawnObject::kEdge / 2,
-          static_cast<int>(std::lround(centre.y())) - DrawnObject::kEdge / 2};
+  if (!centre.allFinite())
+    throw std::invalid_argument("cropCorner: the object lies at " + std::to_string(centre.x()) +
+                                ", " + std::to_string(centre.y()));
+  return {wholePixel(centre.x()) - DrawnObject::kEdge / 2,
+          wholePixel(centre.y()) - DrawnObject::kEdge / 2};
 }
 
 FrameWindow cutWindow(std::span<const std::uint8_t> rgb, std::span<const std::uint8_t> hole,

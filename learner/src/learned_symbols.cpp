@@ -59,7 +59,8 @@ class TensorReader {
   std::vector<Fault> faults_;
 };
 
-constexpr int kMostCells = 1000;  // columns or rows of a workbench
+constexpr float kFarthestCentre = 1e6F;  // tokens have length 8; squares must not overflow
+constexpr int kMostCells = 1000;         // columns or rows of a workbench
 
 }  // namespace
 
@@ -119,6 +120,8 @@ LearnedSymbols learnedSymbolsFrom(const NamedTensors& tensors, const std::filesy
                                                         TokenMatrix::ColsAtCompileTime);
     clusters[k].temperature = temperature->values.front();
     clusters[k].reach = reach->values.front();
+    if (!(clusters[k].centers.cwiseAbs().maxCoeff() <= kFarthestCentre))
+      reader.fault(prefix(which) + "centers", "expected numbers from -1e6 to 1e6");
     if (!(clusters[k].reach > 0))
       reader.fault(prefix(which) + "reach", "expected a positive number");
     if (!(clusters[k].temperature > 0))

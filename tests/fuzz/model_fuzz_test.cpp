@@ -1,5 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/concept_learner.hpp"
@@ -13,6 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
+constexpr std::size_t kFrameSize = static_cast<std::size_t>(kFrameWidth) * kFrameHeight;
 const std::filesystem::path kShipped = CONCEPTPLAN_SHIPPED_MODEL;
 
 TEST(ModelFuzz, DamageToAnyFileIsFoundByTheManifest) {
@@ -80,6 +85,77 @@ TEST(ModelFuzz, NetworksOfMissingOrMisshapenTensorsAreRefused) {
   expectRefusal(kConceptsFile,
                 [&](const NamedTensors& tensors) { ConceptLearner(tensors, encoder, "m"); });
   expectRefusal(kVictFile, [](const NamedTensors& tensors) { VisualTransition(tensors, "m"); });
+}
+
+/// A grey floor with a disc, as instance 1.
+RgbdImage pictureOfADisc() {
+  RgbdImage image{kFrameWidth, kFrameHeight, std::vector<std::uint8_t>(3 * kFrameSize, 150),
+                  std::vector<float>(kFrameSize, 2.0F), std::vector<std::uint8_t>(kFrameSize, 0)};
+  for (int y = -16; y <= 16; ++y)
+    for (int x = -16; x <= 16; ++x) {
+      if (x * x + y * y > 256) continue;
+      const auto pixel = static_cast<std::size_t>((130 + y) * kFrameWidth + 190 + x);
+      image.mask[pixel] = 1;
+      image.depth_m[pixel] = 1.95F;
+      image.rgb[3 * pixel] = 220;
+    }
+  return image;
+}
+
+/// Reads the disc and draws it after a step; all numbers are finite, or an InputError tells why
+/// not.
+/// @returns whether all went well.
+bool perceivesAndRenders(const std::filesystem::path& folder) {
+  const Model model(folder);
+  const RgbdImage picture = pictureOfADisc();
+  try {
+    const Percept percept = model.perceive(picture);
+    for (const SymbolBelief& belief : percept.beliefs)
+      for (const auto& of_concept : belief)
+        for (const double p : of_concept) EXPECT_TRUE(p >= 0 && p <= 1) << p;
+    Plan plan;
+    plan.actions = {Action::kMoveRight, Action::kChangeColor};
+    plan.predicted.assign(2, mostProbable(percept.beliefs.front()));
+    for (const RgbdImage& frame : model.render(picture, percept, 1, plan))
+      EXPECT_TRUE(std::ranges::all_of(frame.depth_m, [](float d) { return std::isfinite(d); }));
+    return true;
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("not finite"));
+    return false;
+  }
+}
+
+/// Half-precision files can hold these numbers, and checksums can fit.
+TEST(ModelFuzz, HugeWeightsGiveAnErrorOrFinitePictures) {
+  constexpr float kLargest = 65504;
+  const TemporaryFolder folder;
+  std::filesystem::copy(kShipped, folder.path(), std::filesystem::copy_options::recursive);
+  const ModelManifest manifest = readModelManifest(folder.path());
+  EXPECT_TRUE(perceivesAndRenders(folder.path()));
+  std::mt19937_64 generator(29);
+  int errors = 0, pictures = 0;
+  for (const char* file : {kConceptsFile, kVictFile}) {
+    const std::string whole = readFile(kShipped / file);
+    const NamedTensors good = decodeTensors(whole, file);
+    for (int change = 0; change < 12; ++change) {
+      SCOPED_TRACE(std::string(file) + ", change " + std::to_string(change));
+      NamedTensors changed = good;
+      for (auto& [name, tensor] : changed) {
+        // All of them; then about a sixth, with signs of their own or of their tensor.
+        if (change > 1 && generator() % 6 != 0) continue;
+        const bool together = change % 2 == 0;
+        const float sign = generator() % 2 == 0 ? kLargest : -kLargest;
+        for (float& value : tensor.values)
+          value = together ? sign : generator() % 2 == 0 ? kLargest : -kLargest;
+      }
+      folder.write(file, encodeTensors(changed, TensorPrecision::kFloat16));
+      writeModelManifest(folder.path(), manifest);
+      ++(perceivesAndRenders(folder.path()) ? pictures : errors);
+    }
+    folder.write(file, whole);
+  }
+  EXPECT_GT(errors, 0);
+  EXPECT_GT(pictures, 0);
 }
 
 }  // namespace

@@ -132,7 +132,9 @@ TEST(TensorFileFuzz, SymbolsOfImpossibleTensorsAreRefused) {
       try {
         const LearnedSymbols read = learnedSymbolsFrom(changed, "m");
         EXPECT_TRUE(read.grounding.faults(read.symbolizer.cardinality()).empty());
-        EXPECT_EQ(change % 4, 3) << name;  // centres may be any number
+        EXPECT_EQ(change % 4, 3) << name;  // centres may be any number of sense
+        for (const auto& belief : read.symbolizer.belief(Tokens::Constant(1)))
+          for (const double p : belief) EXPECT_TRUE(p >= 0 && p <= 1) << name << ": " << p;
       } catch (const InputError&) {
         ++refused;
       }

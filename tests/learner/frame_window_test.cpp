@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "conceptplan/learner/frame_composition.hpp"
+
 namespace conceptplan {
 namespace {
 
@@ -13,6 +17,26 @@ TEST(FrameWindow, StaysWithinTheFrame) {
   EXPECT_EQ(windowAround(383, 255, 384, 256).top, 256 - 96);
   EXPECT_EQ(windowAround(200, 100, 384, 256).left, 152);
   EXPECT_THROW(windowAround(10, 10, 90, 256), std::invalid_argument);
+}
+
+TEST(FrameWindow, TakesPlacesFarOutsideAndRefusesThoseThatAreNone) {
+  constexpr double kHuge = 1e300;
+  EXPECT_EQ(windowAround(kHuge, -kHuge, 384, 256).left, 384 - 96);
+  EXPECT_EQ(windowAround(kHuge, -kHuge, 384, 256).top, 0);
+  EXPECT_THAT([] { windowAround(std::nan(""), 3, 384, 256); },
+              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("no pixel lies")));
+  DrawnObject object;
+  object.rgb.assign(3 * 64 * 64, 0.5F);
+  object.alpha.assign(64 * 64, 1.0F);
+  object.depth_m.assign(64 * 64, 1.0F);
+  object.location = {3e38F, -3e38F, 0};
+  EXPECT_EQ(cropCorner(object).left, 1'000'000 - 32);
+  EXPECT_EQ(cropCorner(object).top, -1'000'000 - 32);
+  const std::vector<std::uint16_t> others(384 * 256, 500);
+  EXPECT_EQ(hiddenBehind(object, others, 384).alpha, object.alpha);
+  object.location[0] = std::nanf("");
+  EXPECT_THAT([&] { cropCorner(object); },
+              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("lies at nan")));
 }
 
 TEST(FrameWindow, CutsFloorHoleAndObject) {

@@ -1,7 +1,11 @@
 #include "conceptplan/learner/concept_learner.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 
+#include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
 #include "conceptplan/learner/torch/generator_guard.hpp"
@@ -10,6 +14,9 @@
 
 namespace conceptplan {
 namespace {
+
+/// Half frames, and half metres, from the middle: far outside of all pictures.
+constexpr double kFarthestLocation = 100;
 
 ConceptNetwork freshNetwork(EncoderKind encoder) {
   const GeneratorGuard guard;
@@ -20,11 +27,22 @@ ConceptNetwork freshNetwork(EncoderKind encoder) {
 
 struct ConceptLearner::Network {
   ConceptNetwork network;
+  std::filesystem::path path;
+
+  /// @throws InputError unless all numbers are finite.
+  void check(const torch::Tensor& numbers, const char* what) const {
+    if (!torch::isfinite(numbers).all().item<bool>())
+      throw InputError({{path.string(),
+                         {},
+                         {},
+                         "concepts",
+                         std::string("the weights give ") + what + " that are not finite"}});
+  }
 };
 
 ConceptLearner::ConceptLearner(const NamedTensors& tensors, EncoderKind encoder,
                                const std::filesystem::path& path)
-    : network_(std::make_unique<Network>(Network{freshNetwork(encoder)})) {
+    : network_(std::make_unique<Network>(Network{freshNetwork(encoder), path})) {
   setTensors(*network_->network, tensors, "concepts.", path);
   network_->network->eval();
 }
@@ -35,6 +53,11 @@ ConceptLearner& ConceptLearner::operator=(ConceptLearner&&) noexcept = default;
 
 std::vector<Tokens> ConceptLearner::encode(std::span<const EncoderInput> inputs) const {
   constexpr std::size_t kBatch = 64;
+  for (const EncoderInput& input : inputs)
+    for (const float number : input.location)
+      if (!std::isfinite(number))
+        throw std::invalid_argument("ConceptLearner::encode: an object lies at " +
+                                    std::to_string(number));
   const torch::InferenceMode inference;
   ConceptNetwork& network = network_->network;
   std::vector<Tokens> tokens;
@@ -43,7 +66,9 @@ std::vector<Tokens> ConceptLearner::encode(std::span<const EncoderInput> inputs)
         encoderBatch(inputs.subspan(begin, std::min(kBatch, inputs.size() - begin)));
     const auto z =
         network->encode(encoderPlanes(batch.bytes, batch.location, network->encoderKind()));
-    const auto part = toTokens(network->tokenize(z, batch.location));
+    const auto read = network->tokenize(z, batch.location);
+    network_->check(read, "tokens");
+    const auto part = toTokens(read);
     tokens.insert(tokens.end(), part.begin(), part.end());
   }
   return tokens;
@@ -51,13 +76,19 @@ std::vector<Tokens> ConceptLearner::encode(std::span<const EncoderInput> inputs)
 
 std::vector<DrawnObject> ConceptLearner::draw(std::span<const Tokens> tokens) const {
   if (tokens.empty()) return {};
+  for (const Tokens& one : tokens)
+    if (!one.allFinite())
+      throw std::invalid_argument("ConceptLearner::draw: tokens are not finite");
   const torch::InferenceMode inference;
   const auto input = toTensor(tokens);
   ConceptNetwork& network = network_->network;
   const DecodedObject decoded = network->draw(input);
-  const auto location = network->locate(input).contiguous();
+  const auto located = network->locate(input);
+  network_->check(located, "locations");
+  const auto location = located.clamp(-kFarthestLocation, kFarthestLocation).contiguous();
   auto planes = torch::cat({decoded.rgb, decoded.depth, torch::sigmoid(decoded.mask_logits)}, 1);
   if (network->encoderKind() == EncoderKind::kFullFrame) planes = cropsOf(planes, location);
+  network_->check(planes, "pictures");
   planes = planes.contiguous();
   constexpr std::size_t kPixels = EncoderInput::kPixels;
   std::vector<DrawnObject> drawn(tokens.size());

@@ -14,6 +14,9 @@ void copyCrop(torch::Tensor frame, torch::Tensor crop, const torch::Tensor& loca
               bool into_frame) {
   const Eigen::Vector2d centre =
       pixelOf({location[0].item<float>(), location[1].item<float>(), location[2].item<float>()});
+  constexpr double kFarthest_px = 1e6;
+  // Nothing of a crop so far away, or nowhere, lies within.
+  if (!(centre.cwiseAbs().maxCoeff() <= kFarthest_px) || !centre.allFinite()) return;
   const auto left = std::lround(centre.x()) - kEdge / 2;
   const auto top = std::lround(centre.y()) - kEdge / 2;
   const std::int64_t x0 = std::clamp<std::int64_t>(left, 0, kFrameWidth);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/frame_composition.hpp"
 #include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/torch/causal_transition.hpp"
@@ -47,15 +48,26 @@ float windowWeight(int x, int y, WindowCorner corner, const RgbdImage& frame) {
 struct VisualTransition::Networks {
   CausalTransition transition;
   FrameSynthesizer synthesizer;
+  std::filesystem::path path;
 
-  static std::unique_ptr<Networks> fresh() {
+  static std::unique_ptr<Networks> fresh(const std::filesystem::path& file) {
     const GeneratorGuard guard;
-    return std::make_unique<Networks>();
+    return std::make_unique<Networks>(Networks{CausalTransition(), FrameSynthesizer(), file});
+  }
+
+  /// @throws InputError unless all numbers are finite.
+  void check(const torch::Tensor& numbers, const char* key, const char* what) const {
+    if (!torch::isfinite(numbers).all().item<bool>())
+      throw InputError({{path.string(),
+                         {},
+                         {},
+                         key,
+                         std::string("the weights give ") + what + " that are not finite"}});
   }
 };
 
 VisualTransition::VisualTransition(const NamedTensors& tensors, const std::filesystem::path& path)
-    : networks_(Networks::fresh()) {
+    : networks_(Networks::fresh(path)) {
   setTensors(*networks_->transition, tensors, "transition.", path);
   setTensors(*networks_->synthesizer, tensors, "synthesizer.", path);
   networks_->transition->eval();
@@ -67,10 +79,13 @@ VisualTransition::VisualTransition(VisualTransition&&) noexcept = default;
 VisualTransition& VisualTransition::operator=(VisualTransition&&) noexcept = default;
 
 Tokens VisualTransition::apply(const Tokens& tokens, const Tokens& context, Action action) const {
+  if (!tokens.allFinite() || !context.allFinite())
+    throw std::invalid_argument("VisualTransition::apply: tokens or context are not finite");
   const torch::InferenceMode inference;
   const auto next = networks_->transition->forward(
       toTensor({&tokens, 1}), toTensor({&context, 1}),
       torch::full({1}, static_cast<std::int64_t>(index(action)), torch::kLong));
+  networks_->check(next, "transition", "tokens");
   return toTokens(next).front();
 }
 
@@ -107,6 +122,7 @@ RgbdImage VisualTransition::synthesize(const Background& background, std::uint8_
                          ->forward(planes.slice(1, 0, 3), planes.slice(1, 3, 4),
                                    planes.slice(1, 4, 7), planes.slice(1, 7, 8))
                          .contiguous();
+  networks_->check(drawn, "synthesizer", "colours");
 
   // Windows blend into each other and, over a thin margin, into the frame.
   std::vector<float> sum(image.rgb.size(), 0.0F), weight(image.mask.size(), 0.0F);

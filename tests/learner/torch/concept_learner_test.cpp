@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <thread>
 
 #include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/learner/frame_window.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "learner/random_crops.hpp"
@@ -74,6 +76,42 @@ TEST(ConceptLearner, ManyThreadsMayLoadAtOnce) {
     threads.emplace_back([&] { ConceptLearner(tensors, EncoderKind::kObjectCentred, "m"); });
   for (std::thread& thread : threads) thread.join();
   EXPECT_TRUE(torch::equal(torch::rand({3}), expected));
+}
+
+TEST(ConceptLearner, NeverGivesNumbersThatAreNotFinite) {
+  const std::vector<EncoderInput> inputs{encoderInput(coloredBlob(1))};
+  for (const auto encoder : {EncoderKind::kObjectCentred, EncoderKind::kFullFrame}) {
+    const NamedTensors good = freshTensors(encoder);
+    const std::vector<Tokens> tokens = ConceptLearner(good, encoder, "m").encode(inputs);
+    NamedTensors changed = good;
+    for (float& weight : changed["concepts.encoder.0.weight"].values) weight = 3e38F;
+    EXPECT_THAT([&] { ConceptLearner(changed, encoder, "m").encode(inputs); },
+                testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                    "m: concepts: the weights give tokens that are not finite")));
+    changed = good;
+    for (float& weight : changed["concepts.locator.2.bias"].values) weight = -3e38F;
+    const std::vector<DrawnObject> drawn = ConceptLearner(changed, encoder, "m").draw(tokens);
+    EXPECT_THAT(drawn[0].location, testing::Each(-100.0F));
+    EXPECT_EQ(cropCorner(drawn[0]).left, -19040);
+  }
+}
+
+TEST(ConceptLearner, RefusesWhatIsNotFinite) {
+  const ConceptLearner learner(freshTensors(EncoderKind::kObjectCentred),
+                               EncoderKind::kObjectCentred, "m");
+  EncoderInput input = encoderInput(coloredBlob(1));
+  input.location[2] = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(
+      [&] {
+        learner.encode({&input, 1});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("lies at inf")));
+  const Tokens tokens = Tokens::Constant(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_THAT(
+      [&] {
+        learner.draw({&tokens, 1});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("tokens are not finite")));
 }
 
 TEST(ConceptLearner, NamesEveryTensorThatIsMissingOrMisshapen) {

@@ -33,10 +33,14 @@ class ConceptLearner {
   ConceptLearner(ConceptLearner&&) noexcept;
   ConceptLearner& operator=(ConceptLearner&&) noexcept;
 
-  /// The tokens of each object, in order.
+  /// The tokens of each object, in order. @throws InputError if the weights give none that are
+  /// finite, std::invalid_argument if an object's location is not finite.
   std::vector<Tokens> encode(std::span<const EncoderInput> inputs) const;
 
-  /// Each object as its tokens describe it, in order.
+  /// Each object as its tokens describe it, in order; far outside the frame at most 100 half
+  /// frames.
+  /// @throws InputError if the weights give numbers that are not finite, std::invalid_argument if
+  /// tokens are not.
   std::vector<DrawnObject> draw(std::span<const Tokens> tokens) const;
 
  private:

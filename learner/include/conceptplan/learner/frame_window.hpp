@@ -18,14 +18,19 @@ struct FrameWindow {
   std::vector<float> planes;  ///< [8, 96, 96]: floor, hole, object, alpha; 0 to 1
 };
 
-/// The corner of the window that is nearest to being centred at a pixel of a frame of that size.
+/// The first pixel of a window.
 struct WindowCorner {
   int left = 0;
   int top = 0;
 };
+
+/// The corner of the window that is nearest to being centred at a pixel, which may lie outside, of
+/// a frame of that size. @throws std::invalid_argument if the frame is smaller than a window or the
+/// pixel's coordinates are not finite.
 WindowCorner windowAround(double x, double y, int width, int height);
 
-/// Corner of the crop in which a drawn object lies, in pixels of the frame.
+/// Corner of the crop in which a drawn object lies, in pixels of the frame; at most a million off.
+/// @throws std::invalid_argument if the object's location is not finite.
 WindowCorner cropCorner(const DrawnObject& object);
 
 /// The window of a frame: the floor, where the hole was, and the object that comes over it.

@@ -22,12 +22,15 @@ class VisualTransition {
   VisualTransition& operator=(VisualTransition&&) noexcept;
 
   /// C1' = T(C0, V(a)), Eq. (7). `context` is that of `effectContext`.
+  /// @throws InputError if the weights give tokens that are not finite, std::invalid_argument if
+  /// `tokens` or `context` are not.
   Tokens apply(const Tokens& tokens, const Tokens& context, Action action) const;
 
   /// The picture, its depth and its mask with the object drawn as that instance, hidden where other
   /// objects stand before it.
   /// @throws std::invalid_argument if the picture is smaller than a window of 96 x 96 or has parts
-  /// of other sizes, or if the instance is 0 or among its objects.
+  /// of other sizes, or if the instance is 0 or among its objects, or the object's location is not
+  /// finite. @throws InputError if the weights give colours that are not finite.
   RgbdImage synthesize(const Background& background, std::uint8_t instance,
                        const DrawnObject& object) const;
 
