@@ -178,6 +178,22 @@ std::vector<torch::optim::OptimizerParamGroup> parameterGroups(const ConceptNetw
 
 }  // namespace
 
+ConceptTrainingOptions paperConceptTraining() {
+  ConceptTrainingOptions options;
+  options.encoder = EncoderKind::kFullFrame;
+  options.chains = 8;
+  options.reconstruction_start = 0;
+  options.sharpening_steps = 0;
+  options.drawer_steps = 0;
+  options.learning_rate = 3e-4;
+  options.tokenizer_rate_share = 1.0 / 30;
+  options.reconstruction_weight = 1;
+  options.pair_weight = 0;
+  options.use_weight = 0;
+  options.confidence_weight = 0;
+  return options;
+}
+
 ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options)
     : ConceptTrainer(images, options, GeneratorGuard(options.seed)) {}
 

@@ -245,12 +245,11 @@ TEST(ConceptTrainer, ThePapersTrainingIsItsNetworksLossesAndRatesAlone) {
 
 TEST(ConceptTrainer, Eq3FallsOnOneBatchWithThePapersNetworksAndLossesAlone) {
   const ConceptImages images = twoConcepts();
-  ConceptTrainingOptions options = smallOptions();
-  options.encoder = EncoderKind::kFullFrame;
+  ConceptTrainingOptions options = paperConceptTraining();
   options.encoder_steps = 12;
   options.chains = 1;
-  options.reconstruction_start = 0;
-  options.pair_weight = options.use_weight = options.confidence_weight = 0;
+  options.reconstructed_pairs = 2;
+  options.augmentation = {0, 0, 0, 0, 0, 0, 0};
   ConceptTrainer trainer(images, options);
   const auto total = [](const ConceptLosses& losses) {
     return losses.disentangling + losses.reconstruction + losses.direct;
@@ -258,7 +257,7 @@ TEST(ConceptTrainer, Eq3FallsOnOneBatchWithThePapersNetworksAndLossesAlone) {
   const double before = total(trainer.step());
   double after = 0;
   while (trainer.stepsDone() < options.encoder_steps) after = total(trainer.step());
-  EXPECT_LT(after, 0.8 * before);
+  EXPECT_LT(after, 0.95 * before);  // slower than with the other profiles' five times higher rate
 }
 
 }  // namespace

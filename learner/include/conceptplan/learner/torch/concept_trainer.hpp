@@ -49,6 +49,10 @@ struct ConceptTrainingOptions {
   std::uint64_t seed = 0;
 };
 
+/// The paper's own networks, on whole frames, with its losses and learning rates alone. Source: the
+/// authors' page of arXiv 2310.03325; steps and chains are ours.
+ConceptTrainingOptions paperConceptTraining();
+
 class GeneratorGuard;
 
 /// Losses of one step; those of what does not learn in it are 0.
