@@ -38,8 +38,12 @@ int checkPlan(const std::filesystem::path& plan_file, const std::string& scenari
   const PlanFile plan = readPlanFile(plan_file);
   ScenarioSolver solver;
   const CompiledScenario compiled = solver.compile(findScenario(scenario), model);
-  const PlanReplay replayed =
+  PlanReplay replayed =
       replay(compiled.graph, plan.steps, determinisationOf(compiled.scenario, options));
+  if (replayed.failure) {
+    std::string& reason = replayed.failure->reason;
+    reason = namedReason(reason, objectNames(compiled.scenario, *compiled.model));
+  }
   Console& console = session.console;
   console.printJson(toJson(plan, replayed));
   const std::string sums = std::to_string(replayed.states.size()) + " actions, cost " +

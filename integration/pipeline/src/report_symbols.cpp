@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "conceptplan/pipeline/object_name.hpp"
 #include "report_markup.hpp"
 
 namespace conceptplan::report {
@@ -44,9 +45,8 @@ int instance(const Report& report, std::size_t object) {
 }
 
 std::string objectName(const Report& report, std::size_t object) {
-  const Symbols symbols = mostProbable(report.problem.initial.objects[object]);
-  return symbolName(report, Concept::kType, symbols[index(Concept::kType)]) + " " +
-         std::to_string(instance(report, object));
+  return escaped(conceptplan::objectName(report.grounding, report.problem.initial.objects[object],
+                                         instance(report, object)));
 }
 
 std::vector<TargetGoal> targetsOf(const Report& report) {

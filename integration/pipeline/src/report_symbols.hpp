@@ -23,7 +23,7 @@ std::string colorKey(const Report& report, Concept which, SymbolId symbol);
 /// The id of an object in the masks.
 int instance(const Report& report, std::size_t object);
 
-/// The most probable type of an object and the id of its mask, e.g. "Cup 2"; escaped.
+/// What `conceptplan::objectName` calls an object, e.g. "Cup 2"; escaped.
 std::string objectName(const Report& report, std::size_t object);
 
 /// The targets with what they should become.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,8 @@
 #include "conceptplan/domain/scenario/reference.hpp"
 #include "conceptplan/domain/simulation/simulator.hpp"
 #include "conceptplan/fcl/fcl_validity.hpp"
+#include "conceptplan/pipeline/object_name.hpp"
+#include "named_reason.hpp"
 
 namespace conceptplan {
 namespace {
@@ -90,18 +93,32 @@ std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Solutio
   return frames;
 }
 
-/// Tells of symbols that are guesses.
+/// Tells of symbols that are guesses. The solution has the names of the objects already.
 void addDoubts(const std::string& picture, const Percept& percept, const SymbolGrounding& grounding,
-               std::vector<std::string>& doubts) {
+               Solution& solution) {
   for (std::size_t i = 0; i < percept.instances.size(); ++i) {
+    const std::uint8_t instance = percept.instances[i];
+    const auto known = std::ranges::find(solution.instances, instance);
+    const std::string object =
+        known == solution.instances.end()
+            ? objectName(grounding, percept.beliefs[i], instance)
+            : solution.names[static_cast<std::size_t>(known - solution.instances.begin())];
     const Symbols symbols = mostProbable(percept.beliefs[i]);
     for (const Concept which : kConcepts)
       if (!percept.fits[i][index(which)])
-        doubts.push_back("In the " + picture + " picture, the " + std::string(name(which)) +
-                         " of object " + std::to_string(percept.instances[i]) +
-                         " is like none that was learned; it is read as " +
-                         grounding.name(which, symbols[index(which)]) + ".");
+        solution.doubts.push_back("In the " + picture + " picture, the " +
+                                  std::string(name(which)) + " of " + object +
+                                  " is like none that was learned; it is read as " +
+                                  grounding.name(which, symbols[index(which)]) + ".");
   }
+}
+
+/// Takes over the ids of the objects, and names them.
+void takeObjects(std::vector<std::uint8_t> instances, std::span<const SymbolBelief> beliefs,
+                 const SymbolGrounding& grounding, Solution& solution) {
+  solution.instances = std::move(instances);
+  for (std::size_t i = 0; i < beliefs.size(); ++i)
+    solution.names.push_back(objectName(grounding, beliefs[i], solution.instances[i]));
 }
 
 /// Position of a target in what was read of a picture.
@@ -113,8 +130,10 @@ std::size_t seenAt(const Percept& percept, std::uint8_t target, const std::strin
   return at;
 }
 
-/// Makes the solution's problem that of the first of several targets.
+/// Makes the solution's problem that of the first of several targets. The solution has the names of
+/// the objects already.
 void takeTargets(JointProblem problem, Solution& solution) {
+  for (TargetGoal& target : problem.targets) target.name = solution.names[target.object];
   const TargetGoal& first = problem.targets.front();
   solution.problem = {{problem.workbench, std::move(problem.objects), first.object}, first.goal};
   solution.targets = std::move(problem.targets);
@@ -125,8 +144,10 @@ Percept readPictures(const Scenario& scenario, const PictureInput& pictures, con
                      Solution& solution) {
   Percept initial = model.perceive(pictures.initial);
   const Percept goal = model.perceive(pictures.goal);
-  addDoubts("initial", initial, model.symbolic().grounding, solution.doubts);
-  addDoubts("goal", goal, model.symbolic().grounding, solution.doubts);
+  const SymbolGrounding& grounding = model.symbolic().grounding;
+  takeObjects(initial.instances, initial.beliefs, grounding, solution);
+  addDoubts("initial", initial, grounding, solution);
+  addDoubts("goal", goal, grounding, solution);
   const bool several = !scenario.targets.empty();
   try {
     if (several) {
@@ -137,18 +158,24 @@ Percept readPictures(const Scenario& scenario, const PictureInput& pictures, con
   } catch (const std::invalid_argument& error) {
     throw InputError({scenario.fault(several ? "targets" : "target", error.what())});
   }
-  solution.instances = initial.instances;
   return initial;
 }
 
 void readSymbols(const Scenario& scenario, const Model& model, Solution& solution) {
+  const SymbolicModel& symbolic = model.symbolic();
+  const auto name_objects = [&](std::span<const SymbolBelief> objects) {
+    std::vector<std::uint8_t> instances(objects.size());
+    std::iota(instances.begin(), instances.end(), std::uint8_t{1});
+    takeObjects(std::move(instances), objects, symbolic.grounding, solution);
+  };
   if (scenario.targets.empty()) {
-    solution.problem = problemOf(scenario, model.symbolic().cardinality());
+    solution.problem = problemOf(scenario, symbolic.cardinality());
+    name_objects(solution.problem.initial.objects);
   } else {
-    takeTargets(jointProblemOf(scenario, model.symbolic().cardinality()), solution);
+    JointProblem problem = jointProblemOf(scenario, symbolic.cardinality());
+    name_objects(problem.objects);
+    takeTargets(std::move(problem), solution);
   }
-  for (std::size_t i = 0; i < solution.problem.initial.objects.size(); ++i)
-    solution.instances.push_back(static_cast<std::uint8_t>(i + 1));
 }
 
 /// Reads pictures or given symbols into the solution. @returns what was read of the first picture
@@ -175,6 +202,7 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
   query.limits = options.limits;
   query.seed = options.seed;
   search(solution, query, stage);
+  solution.result.reason = namedReason(solution.result, solution.names);
   solution.times.search_ms = stage.lap();
 
   const bool several = !solution.targets.empty();
@@ -237,6 +265,12 @@ JointProblem jointProblemOf(const Percept& initial, const Percept& goal,
                                goal.beliefs[seenAt(goal, target, "goal")],
                                "object " + std::to_string(target)});
   return problem;
+}
+
+std::vector<std::string> objectNames(const Scenario& scenario, const Model& model) {
+  Solution solution;
+  readInput(scenario, model, solution);
+  return std::move(solution.names);
 }
 
 SymbolGraph compileScenario(const Scenario& scenario, const Model& model) {

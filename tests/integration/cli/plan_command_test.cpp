@@ -26,6 +26,8 @@ class PlanCommand : public testing::Test {
   }
   std::string report() const { return readFile(folder_ / "out/report.html"); }
 
+  json result() const { return json::parse(readFile(folder_ / "out/result.json")); }
+
   /// A copy of a shipped scenario whose file has one text replaced by another.
   std::string changed(const std::string& scenario, const std::string& from,
                       const std::string& to) const {
@@ -53,6 +55,20 @@ TEST_F(PlanCommand, TheReportTellsThePlannersLegalityThreshold) {
   // Options are those of the scenario's own planner.
   ASSERT_EQ(plan(scenario, {"--planner", "astar"}).exit_code, 1);
   EXPECT_THAT(report(), HasSubstr("more than 1.0&nbsp;% are needed"));
+}
+
+TEST_F(PlanCommand, ObjectsHaveTheSameNameEverywhere) {
+  const CommandResult result = plan(kInfeasible);
+  EXPECT_THAT(result.out, HasSubstr("without Lettuce 1 there would be a way"));
+  EXPECT_THAT(this->result()["reason"].get<std::string>(),
+              HasSubstr("without Lettuce 1 there would be a way"));
+  EXPECT_THAT(report(), HasSubstr("without Lettuce 1 there would be a way"));
+  for (const std::string& text : {result.out, this->result().dump(), report()}) {
+    EXPECT_THAT(text, Not(HasSubstr("object 0")));
+  }
+  const std::filesystem::path steps = folder_.write("sas_plan", "(move_front)\n");
+  EXPECT_THAT(runCommand({"validate", "--plan", steps.string(), kInfeasible}).error,
+              HasSubstr("step 1, move_front: its most probable outcome meets Lettuce 1\n"));
 }
 
 }  // namespace

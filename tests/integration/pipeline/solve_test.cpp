@@ -20,6 +20,12 @@ Scenario shipped(const std::string& name) {
   return readScenario(std::filesystem::path(CONCEPTPLAN_SCENARIOS) / name);
 }
 
+GivenSymbols given(const SymbolBelief& belief) {
+  GivenSymbols symbols;
+  std::ranges::copy(belief, symbols.begin());
+  return symbols;
+}
+
 TEST(SolveScenario, SolvesAShippedScenarioFromItsPictures) {
   const Scenario scenario = shipped("level3-0001");
   const Solution solution = solveScenario(scenario, shippedModel(), BeliefPlanner());
@@ -36,7 +42,9 @@ TEST(SolveScenario, SaysWhyThereIsNoPlan) {
   const Solution solution =
       solveScenario(shipped("infeasible-0001"), shippedModel(), BeliefPlanner());
   EXPECT_EQ(solution.result.status, PlanStatus::kInfeasible);
-  EXPECT_FALSE(solution.result.reason.empty());
+  EXPECT_THAT(solution.result.reason,
+              testing::HasSubstr("; without Lettuce 1 there would be a way; "));
+  EXPECT_THAT(solution.names, testing::ElementsAre("Lettuce 1", "Lettuce 2", "Tomato 3"));
   EXPECT_TRUE(solution.frames.empty());
 }
 
@@ -83,6 +91,48 @@ TEST(SolveScenario, SolvesForSeveralTargetsFromPictures) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("targets: several targets")));
   EXPECT_THROW(solveScenario(shipped("level1-0001"), shippedModel(), JointPlanner()),
                std::invalid_argument);
+}
+
+TEST(SolveScenario, NamesTargetsAsTheReportDoes) {
+  Scenario scenario = shipped("two-targets/level3x2-0001");
+  const Solution solution = solveScenario(scenario, shippedModel(), JointPlanner());
+  SymbolInput symbols;
+  for (const SymbolBelief& belief : solution.problem.initial.objects) {
+    symbols.objects.push_back(given(belief));
+  }
+  for (const TargetGoal& target : solution.targets) symbols.goals.push_back(given(target.goal));
+  for (const Concept which : {Concept::kPositionX, Concept::kPositionY}) {
+    symbols.goals[1][index(which)] = symbols.goals[0][index(which)];
+  }
+  scenario.input = symbols;
+  const Solution none = solveScenario(scenario, shippedModel(), JointPlanner());
+  EXPECT_EQ(none.names, solution.names);
+  EXPECT_THAT(none.result.reason,
+              testing::HasSubstr("the goals of " + none.names[none.targets[0].object] + " and " +
+                                 none.names[none.targets[1].object] + " rule each other out"));
+  const std::string page = renderReport(reportOf(scenario, shippedModel(), none, "astar", 0));
+  for (const std::string& name : none.names) EXPECT_THAT(page, testing::HasSubstr(name));
+}
+
+TEST(SolveScenario, NamesObjectsThatAreGuesses) {
+  const Scenario scenario = shipped("level1-0001");
+  std::size_t doubts = 0;
+  for (const std::size_t width : {1u, 4u, 1000u}) {  // of stripes that no object of the set has
+    Scenario striped = scenario;
+    RgbdImage& initial = std::get<PictureInput>(striped.input).initial;
+    for (std::size_t i = 0; i < initial.mask.size(); ++i) {
+      if (initial.mask[i] != *scenario.target) continue;
+      const bool bright = i / width % 2 == 1;
+      for (std::size_t k = 0; k < 3; ++k) initial.rgb[3 * i + k] = bright && k < 2 ? 255 : 0;
+    }
+    const Solution solution = solveScenario(striped, shippedModel(), BeliefPlanner());
+    const std::string name = solution.names[solution.problem.initial.target];
+    for (const std::string& doubt : solution.doubts) {
+      ++doubts;
+      EXPECT_THAT(doubt, testing::HasSubstr(" of " + name + " is like none"));
+    }
+  }
+  EXPECT_GT(doubts, 0u);
 }
 
 TEST(SolveScenario, RefusesOneOfSeveralTargetsThatIsHiddenInTheGoal) {

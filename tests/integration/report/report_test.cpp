@@ -114,6 +114,13 @@ TEST(Report, ShowsATaskWithoutPicturesOrPlan) {
   EXPECT_THAT(page, HasSubstr("No sequence of at most 24 actions reaches the goal."));
 }
 
+TEST(Report, CallsObjectsOfAnUnnamedTypeByTheirIdAlone) {
+  Report report = sampleReport();
+  report.instances = {4, 5, 9};
+  report.grounding.names[index(Concept::kType)].clear();
+  EXPECT_THAT(renderReport(report), HasSubstr("Collision with object 5"));
+}
+
 TEST(Report, SaysThatNothingNeedsToBeDone) {
   Report report = sampleReport();
   report.frames.clear();

@@ -47,9 +47,10 @@ struct Solution {
   /// All of several targets; empty where there is one.
   std::vector<TargetGoal> targets;
   std::vector<std::uint8_t> instances;  ///< mask id of each object of the problem
+  std::vector<std::string> names;       ///< of each object of the problem, as `objectName`
   std::vector<std::string>
-      doubts;  ///< what in the pictures fits no learned symbol, and what was left undone
-  PlanResult result;
+      doubts;         ///< what in the pictures fits no learned symbol, and what was left undone
+  PlanResult result;  ///< its reason calls the objects by their names
   /// The planner's, for `reportOf`: to be filled in by whoever made the planner, who alone knows
   /// it.
   std::optional<double> legality_threshold;
@@ -79,6 +80,14 @@ Evaluation evaluationOf(const Task& task, const std::vector<Plan>& plans,
 /// The graph that `solveScenario` searches. Thread-safe.
 /// @throws InputError as `solveScenario`.
 SymbolGraph compileScenario(const Scenario& scenario, const Model& model);
+
+/// The names of the objects of that graph's problem, as `objectName`. Thread-safe.
+/// @throws InputError as `solveScenario`.
+std::vector<std::string> objectNames(const Scenario& scenario, const Model& model);
+
+/// A reason why a plan failed on `replay` with the name of the object that a step meets in place of
+/// its index.
+std::string namedReason(const std::string& reason, std::span<const std::string> names);
 
 /// The problem that two pictures pose, as the model reads them. `target` is an instance id; without
 /// one it is the object whose symbols differ most between the pictures.
