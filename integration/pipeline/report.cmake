@@ -7,7 +7,7 @@ configure_file(src/report_page.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/report_page.cp
 
 conceptplan_library(report
   HEADERS include/conceptplan/pipeline/object_name.hpp include/conceptplan/pipeline/report.hpp
-  SOURCES src/object_name.cpp src/report.cpp src/report_map.cpp
+  SOURCES src/object_name.cpp src/report.cpp src/report_failure.cpp src/report_map.cpp
           src/report_markup.cpp src/report_outline.cpp src/report_pictures.cpp
           src/report_rejections.cpp src/report_symbols.cpp src/report_tables.cpp
           ${CMAKE_CURRENT_BINARY_DIR}/report_page.cpp

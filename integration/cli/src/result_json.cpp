@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exit_code.hpp"
+#include "trace_json.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -52,12 +53,19 @@ Json refinementJson(const std::optional<RefinementResult>& refinement) {
 }
 
 Json makeResult(const ResultKey& key, const std::string& status, const std::string& reason) {
-  return {{"scenario", key.scenario},  {"planner", key.planner},
-          {"seed", key.seed},          {"status", status},
-          {"reason", reason},          {"plans", Json::array()},
-          {"evaluation", nullptr},     {"doubts", Json::array()},
-          {"times_ms", timesJson({})}, {"statistics", statisticsJson({})},
-          {"refinement", nullptr},     {"version", CONCEPTPLAN_VERSION}};
+  return {{"scenario", key.scenario},
+          {"planner", key.planner},
+          {"seed", key.seed},
+          {"status", status},
+          {"reason", reason},
+          {"plans", Json::array()},
+          {"evaluation", nullptr},
+          {"doubts", Json::array()},
+          {"times_ms", timesJson({})},
+          {"statistics", statisticsJson({})},
+          {"refinement", nullptr},
+          {"trace", nullptr},
+          {"version", CONCEPTPLAN_VERSION}};
 }
 
 std::string bestActionsText(const Json& result) {
@@ -106,6 +114,7 @@ Json resultJson(const ResultKey& key, const Solution& solution) {
   json["times_ms"] = timesJson(solution.times);
   json["statistics"] = statisticsJson(result.statistics);
   json["refinement"] = refinementJson(solution.refinement);
+  json["trace"] = traceJson(solution);
   return json;
 }
 

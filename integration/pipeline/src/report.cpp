@@ -61,6 +61,12 @@ void check(const Report& report) {
                                   std::to_string(count));
     }
   }
+  for (const std::size_t object : report.result.blocking) {
+    if (object >= count) {
+      throw std::invalid_argument("report: object " + std::to_string(object) + " of " +
+                                  std::to_string(count) + " is said to be in the way");
+    }
+  }
   if (!report.result.plans.empty()) {
     const Plan& best = report.result.plans.front();
     if (best.predicted.size() != best.actions.size() ||

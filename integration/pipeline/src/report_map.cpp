@@ -40,12 +40,13 @@ std::string cells(const Workbench& workbench, int edge, int margin) {
   return svg;
 }
 
-// The symbol's own colour if its name tells one.
-std::string fill(const Report& report, const SymbolBelief& belief) {
+// The symbol's own colour if its name tells one. `kind` is a further class, or empty.
+std::string fill(const Report& report, const SymbolBelief& belief, const std::string& kind) {
   const SymbolId color = mostProbable(belief)[index(Concept::kColor)];
   const std::string_view css = cssColor(symbolName(report, Concept::kColor, color));
-  return css.empty() ? " class=\"thing plain\""
-                     : " class=\"thing\" fill=\"" + std::string(css) + "\"";
+  const std::string all = "thing" + (kind.empty() ? "" : " " + kind);
+  return css.empty() ? " class=\"" + all + " plain\""
+                     : " class=\"" + all + "\" fill=\"" + std::string(css) + "\"";
 }
 
 Cell initialCell(const Report& report, std::size_t object) {
@@ -58,12 +59,13 @@ std::string things(const Report& report) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Point at = center(scene.workbench, initialCell(report, i));
     if (isTarget(report, i)) {
-      svg += "<circle" + fill(report, scene.objects[i]) + attribute("cx", at.x) +
+      svg += "<circle" + fill(report, scene.objects[i], "") + attribute("cx", at.x) +
              attribute("cy", at.y) + attribute("r", 17) + "/>";
     } else {
-      svg += "<rect" + fill(report, scene.objects[i]) + attribute("x", at.x - 19) +
-             attribute("y", at.y - 19) + attribute("width", 38) + attribute("height", 38) +
-             attribute("rx", 6) + "/>";
+      const bool blocks = std::ranges::count(report.result.blocking, i) > 0;
+      svg += "<rect" + fill(report, scene.objects[i], blocks ? "blocking" : "") +
+             attribute("x", at.x - 19) + attribute("y", at.y - 19) + attribute("width", 38) +
+             attribute("height", 38) + attribute("rx", 6) + "/>";
     }
   }
   return svg;
@@ -121,6 +123,17 @@ std::string way(const Report& report, const Plan& plan) {
   return svg;
 }
 
+// A cross where the target gets nearest to its goal.
+std::string nearestMark(const Report& report) {
+  if (!report.result.nearest) return {};
+  const Point at =
+      center(report.problem.initial.workbench, report.grounding.cell(*report.result.nearest));
+  const auto line = [](double x, double y) { return decimal(x, 1) + " " + decimal(y, 1); };
+  return "<path class=\"nearest\" d=\"M" + line(at.x - 9, at.y - 9) + "L" +
+         line(at.x + 9, at.y + 9) + "M" + line(at.x + 9, at.y - 9) + "L" +
+         line(at.x - 9, at.y + 9) + "\"/>";
+}
+
 /// The refined motion, dotted where the target is lifted.
 std::string motionPath(const Report& report, const ReportMotion& motion) {
   const Workbench& workbench = report.problem.initial.workbench;
@@ -160,7 +173,7 @@ std::string workbenchMap(const Report& report) {
     svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) + attribute("y", goal.y - 28) +
            attribute("width", 56) + attribute("height", 56) + attribute("rx", 8) + "/>";
   }
-  svg += things(report);
+  svg += things(report) + nearestMark(report);
   if (report.motion) svg += motionPath(report, *report.motion);
   if (!report.result.plans.empty()) svg += way(report, report.result.plans.front());
   return svg + thingNames(report) + "</svg>";

@@ -79,6 +79,14 @@ std::string percent(double share) {
   return decimal(100 * share, 1) + "&nbsp;%";
 }
 
+std::string sentence(std::string_view text) {
+  if (text.empty()) return {};
+  std::string full(text);
+  if (full.front() >= 'a' && full.front() <= 'z') full.front() += 'A' - 'a';
+  if (full.back() != '.') full += '.';
+  return escaped(full);
+}
+
 std::string bar(double share) {
   const double width = std::isfinite(share) ? std::clamp(100 * share, 0.0, 100.0) : 0.0;
   return "<span class=\"bar\" aria-hidden=\"true\"><span style=\"width:" + decimal(width, 1) +

@@ -23,6 +23,9 @@ std::string attribute(std::string_view name, double value);
 /// A share as "87.4 %"; what is above 0 but rounds to it reads "< 0.1 %".
 std::string percent(double share);
 
+/// Text that begins with a capital letter and ends with a full stop; escaped. Empty stays empty.
+std::string sentence(std::string_view text);
+
 /// A bar filled to a share in [0, 1]; decoration beside a number, hidden from screen readers.
 std::string bar(double share);
 

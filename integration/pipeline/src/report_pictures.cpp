@@ -122,6 +122,12 @@ std::string motionCaption(const Report& report) {
          ", since no refined motion does what is asked: " + escaped(motion.fallback) + ".";
 }
 
+std::string failureCaption(const Report& report) {
+  return std::string(report.result.blocking.empty() ? ""
+                                                    : ", what is in the way has a thick edge") +
+         (report.result.nearest ? ", the cross is the nearest to the goal that is in reach." : ".");
+}
+
 }  // namespace
 
 std::string picturesSection(const Report& report) {
@@ -145,7 +151,7 @@ std::string planSection(const Report& report) {
   const auto& plans = report.result.plans;
   std::string html = "<section><h2>The plan</h2><p class=\"note\">";
   if (plans.empty()) {
-    html += "There is none. The map shows the workbench, with the cell of the goal dashed.";
+    html += "There is none.";
   } else if (plans.front().actions.empty()) {
     html += "Nothing needs to be done: the goal is reached at the start.";
   } else if (comparesFrames(report)) {
@@ -156,7 +162,9 @@ std::string planSection(const Report& report) {
     html += "The most probable sequence of actions, step by step.";
   }
   html += "</p><div class=\"plan mapped\">";
-  if (plans.empty() || plans.front().actions.empty()) {
+  if (plans.empty()) {
+    html += failureCard(report);
+  } else if (plans.front().actions.empty()) {
     html += "<div></div>";
   } else {
     html += "<ol class=\"steps\" style=\"--step-width:" +
@@ -166,8 +174,8 @@ std::string planSection(const Report& report) {
   return html + "<figure class=\"map card\">" + workbenchMap(report) + "<figcaption>From above: " +
          (report.targets.empty() ? "the target is round, the dashed cell is its goal"
                                  : "targets are round, dashed cells are their goals") +
-         ", numbers are the steps." + motionCaption(report) +
-         "</figcaption></figure></div></section>";
+         (plans.empty() ? failureCaption(report) : ", numbers are the steps.") +
+         motionCaption(report) + "</figcaption></figure></div></section>";
 }
 
 }  // namespace conceptplan::report

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "conceptplan/pipeline/object_name.hpp"
 #include "report_markup.hpp"
 #include "report_sections.hpp"
 #include "report_symbols.hpp"
@@ -69,23 +71,92 @@ std::string headingOf(const Report& report, const Reason& reason) {
   return {};
 }
 
+std::string millimetres(double length_m) { return decimal(1000 * length_m, 0); }
+
+// "35 to 47 mm" or "up to 47 mm": how far steps of which the lowest clearance is below 0 overlap.
+std::string depth(const Group& group) {
+  const std::string most = millimetres(-group.lowest) + "&nbsp;mm";
+  if (group.highest >= 0) return "up to " + most;
+  const std::string least = millimetres(-group.highest) + "&nbsp;mm";
+  return least == most ? most : millimetres(-group.highest) + " to " + most;
+}
+
+std::string collisionText(const Group& group) {
+  if (group.lowest < 0) return " would bring the target " + depth(group) + " deep into it.";
+  if (group.lowest > 0) {
+    return " would bring the target to within " + decimal(1000 * group.lowest, 1) +
+           "&nbsp;mm of it.";
+  }
+  return " would bring the target into it.";  // not measured, or exactly touching
+}
+
 std::string explanation(const Report& report, const Reason& reason, const Group& group) {
   const std::string times = std::to_string(group.count) + (group.count == 1 ? " step" : " steps");
   switch (std::get<0>(reason)) {
     case Invalidity::kNone:
-      return times + ": the training data take this action there in at most " +
-             percent(group.highest) + " of the cases" +
+      return times + ": the training data take this action there in " + percent(group.highest) +
+             " of the cases at most" +
              (report.legality_threshold
                   ? "; more than " + percent(*report.legality_threshold) + " are needed."
                   : ".");
     case Invalidity::kCollision:
-      return times + " would bring the target into it.";
+      return times + collisionText(group);
     case Invalidity::kWorkbenchEdge:
-      return times + " would bring part of the target over the edge.";
+      return times + " would bring part of the target over the edge" +
+             (group.lowest < 0 ? ", by " + depth(group) : "") + ".";
     case Invalidity::kCheckFailed:
       return times + " counted as impossible, since geometry could not be decided.";
   }
   return {};
+}
+
+// In what a state differs from the start.
+std::string placeOf(const Report& report, const Symbols& state) {
+  const SymbolicScene& scene = report.problem.initial;
+  const Symbols start = mostProbable(scene.objects[scene.target]);
+  std::vector<std::string> texts;
+  for (const Concept which : kConcepts) {
+    const SymbolId symbol = state[index(which)];
+    if (symbol != start[index(which)]) texts.push_back(symbolName(report, which, symbol));
+  }
+  return texts.empty() ? "as at the start" : listed(texts);
+}
+
+std::string causeOf(const Report& report, const Rejection& rejection) {
+  switch (rejection.cause) {
+    case Invalidity::kNone:
+      return "action threshold";
+    case Invalidity::kCollision:
+      return "collision with " + objectName(report, rejection.object.value_or(0));
+    case Invalidity::kWorkbenchEdge:
+      return "edge of the workbench";
+    case Invalidity::kCheckFailed:
+      return "failed check";
+  }
+  return {};
+}
+
+std::string measureOf(const Rejection& rejection) {
+  if (rejection.cause == Invalidity::kNone) return percent(rejection.value);
+  if (rejection.value == 0) return {};
+  const std::string length = decimal(1000 * std::abs(rejection.value), 1) + "&nbsp;mm";
+  return rejection.value < 0 ? length + " deep" : length + " away";
+}
+
+std::string everyRejection(const Report& report) {
+  const auto& rejections = report.result.rejections;
+  std::string html =
+      "<details class=\"card scroll every\"><summary>Every step (" +
+      std::to_string(rejections.size()) +
+      ")</summary><table><thead><tr><th scope=\"col\">Target</th><th scope=\"col\">Action</th>"
+      "<th scope=\"col\">Ruled out by</th><th scope=\"col\" class=\"n\">Measure</th></tr></thead>"
+      "<tbody>";
+  for (const Rejection& rejection : rejections) {
+    html += "<tr><td>" + placeOf(report, rejection.state) + "</td><td>" + icon(rejection.action) +
+            " " + words(rejection.action) + "</td><td>" + causeOf(report, rejection) +
+            "</td><td class=\"n\">" + measureOf(rejection) + "</td></tr>";
+  }
+  return html + "</tbody></table></details>";
 }
 
 }  // namespace
@@ -102,7 +173,7 @@ std::string rejectionsSection(const Report& report) {
             "<div><h3>" + headingOf(report, reason) + "</h3><p>" +
             explanation(report, reason, group) + "</p></div></article>";
   }
-  return html + "</div></section>";
+  return html + "</div>" + everyRejection(report) + "</section>";
 }
 
 }  // namespace conceptplan::report

@@ -16,6 +16,8 @@ std::string summarySection(const Report& report);
 std::string picturesSection(const Report& report);
 /// The best plan: a map and a frame a step.
 std::string planSection(const Report& report);
+/// Why there is no plan, how near the target gets and what was ruled out, in sentences.
+std::string failureCard(const Report& report);
 /// All plans, with their probabilities.
 std::string alternativesSection(const Report& report);
 /// What was read of every object, with confidence.

@@ -15,6 +15,20 @@ std::string_view heading(Concept which) {
   return kHeadings[index(which)];
 }
 
+std::string reasonText(const Report& report) {
+  std::string text = report.result.reason;
+  for (const Concept which : kConcepts) {
+    const std::string_view told = name(which);
+    std::string word(heading(which));
+    word.front() += 'a' - 'A';
+    for (std::size_t at = text.find(told); at != std::string::npos;
+         at = text.find(told, at + word.size())) {
+      text.replace(at, told.size(), word);
+    }
+  }
+  return sentence(text);
+}
+
 std::string symbolName(const Report& report, Concept which, SymbolId symbol) {
   return escaped(report.grounding.name(which, symbol));
 }

@@ -11,6 +11,10 @@ namespace conceptplan::report {
 /// "Type", "Column", "Row", "Rotation", "Color" or "Size".
 std::string_view heading(Concept which);
 
+/// A reason in the page's words, as a sentence: "COLOR must change" reads "Color must change.";
+/// escaped. Empty stays empty.
+std::string reasonText(const Report& report);
+
 /// What the report calls a symbol; escaped.
 std::string symbolName(const Report& report, Concept which, SymbolId symbol);
 

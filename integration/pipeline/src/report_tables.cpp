@@ -70,8 +70,8 @@ std::string summarySection(const Report& report) {
             (best.actions.size() == 1 ? " action" : " actions") +
             " and reaches the goal with probability " + percent(best.probability) + ". ";
   }
-  return html + escaped(result.reason) + (result.reason.empty() ? "" : " ") +
-         escaped(report.verdict) + "</p>";
+  return html + reasonText(report) + (result.reason.empty() ? "" : " ") + escaped(report.verdict) +
+         "</p>";
 }
 
 std::string alternativesSection(const Report& report) {

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "conceptplan/domain/concept.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "domain/files/temporary_folder.hpp"
 #include "integration/cli/command_runner.hpp"
@@ -69,6 +71,51 @@ TEST_F(PlanCommand, ObjectsHaveTheSameNameEverywhere) {
   const std::filesystem::path steps = folder_.write("sas_plan", "(move_front)\n");
   EXPECT_THAT(runCommand({"validate", "--plan", steps.string(), kInfeasible}).error,
               HasSubstr("step 1, move_front: its most probable outcome meets Lettuce 1\n"));
+}
+
+TEST_F(PlanCommand, TheTraceTellsWhyThereIsNoPlan) {
+  ASSERT_EQ(plan(kInfeasible).exit_code, 1);
+  const json trace = result()["trace"];
+  EXPECT_EQ(trace["legality_threshold"], 0.01);
+  EXPECT_EQ(trace["blocking"].dump(), R"([{"name":"Lettuce 1","object":1}])");
+  EXPECT_EQ(trace["nearest"]["differs_in"].dump(), R"(["position_y"])");
+  std::map<std::string, int> causes;
+  for (const json& step : trace["rejections"]) {
+    const std::string cause = step["cause"];
+    ++causes[cause];
+    EXPECT_EQ(step["state"].size(), kNumConcepts);
+    EXPECT_EQ(step.contains("probability"), cause == "legality") << step;
+    EXPECT_EQ(step.contains("depth_m"), cause != "legality") << step;
+    if (cause == "legality") {
+      EXPECT_LE(step["probability"], 0.01);
+    }
+    if (cause != "collision") continue;
+    EXPECT_EQ(step["name"], step["object"] == 1 ? "Lettuce 1" : "Tomato 3");
+    EXPECT_GT(step["depth_m"], 0);
+    EXPECT_LT(step["depth_m"], 0.2);
+  }
+  EXPECT_EQ(causes["legality"], 12);
+  EXPECT_EQ(causes["collision"], 8);
+
+  const std::string page = report();
+  EXPECT_THAT(page, HasSubstr("Without <strong>Lettuce 1</strong> there would be a way."));
+  EXPECT_THAT(page, HasSubstr("The nearest to the goal that is in reach has row 0 in place of "
+                              "<strong>row 4</strong>."));
+  EXPECT_THAT(page, HasSubstr("12 by the action threshold and 8 by collision"));
+}
+
+TEST_F(PlanCommand, TheTraceTellsWhatWasRuledOutBesideAPlan) {
+  ASSERT_EQ(plan(CONCEPTPLAN_SCENARIOS "/level3-0001").exit_code, 0);
+  const json trace = result()["trace"];
+  EXPECT_FALSE(trace["rejections"].empty());
+  EXPECT_TRUE(trace["blocking"].empty());
+  EXPECT_TRUE(trace["nearest"].is_null());
+}
+
+TEST_F(PlanCommand, TheTraceOfSeveralTargetsHasTheThreshold) {
+  ASSERT_EQ(plan(CONCEPTPLAN_SCENARIOS "/two-targets/level3x2-0001").exit_code, 0);
+  EXPECT_EQ(result()["trace"].dump(),
+            R"({"blocking":[],"legality_threshold":0.01,"nearest":null,"rejections":[]})");
 }
 
 }  // namespace

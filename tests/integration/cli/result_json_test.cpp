@@ -50,7 +50,7 @@ TEST(ResultJson, HasTheStableNamesInOrder) {
   EXPECT_EQ(
       names,
       "scenario planner seed status reason plans evaluation doubts times_ms statistics refinement "
-      "version ");
+      "trace version ");
   EXPECT_EQ(json["status"], "solved");
   EXPECT_EQ(json["plans"][0].dump(),
             R"({"actions":["move_front"],"probability":0.5,"cost":0.25,"length":1})");
@@ -71,6 +71,38 @@ TEST(ResultJson, RefinementTellsItsMeasures) {
   EXPECT_EQ(json["refinement"].dump(),
             R"({"length_m":0.5,"clearance_m":0.25,"fell_back":true,"reason":"shut in"})");
   EXPECT_EQ(json["times_ms"]["refine"], 2);
+}
+
+TEST(ResultJson, TraceTellsWhatRuledStepsOut) {
+  Solution solution = infeasible();
+  solution.instances = {4, 7};
+  solution.names = {"Cup 4", "object 7"};
+  solution.legality_threshold = 0.02;
+  const Symbols state{SymbolId{1}, SymbolId{2}, SymbolId{3}, SymbolId{0}, SymbolId{5}, SymbolId{2}};
+  solution.result.rejections = {
+      {state, Action::kMoveLeft, Invalidity::kNone, std::nullopt, 0.25},
+      {state, Action::kMoveFront, Invalidity::kCollision, 1, -0.125},
+      {state, Action::kMoveRight, Invalidity::kWorkbenchEdge, std::nullopt, 0},
+      {state, Action::kMoveBack, Invalidity::kCheckFailed, std::nullopt, 0}};
+  solution.result.blocking = {1};
+  solution.result.nearest = state;
+  solution.problem.goal = certain(state, kConceptCardinality);
+  std::swap(solution.problem.goal[index(Concept::kColor)][5],
+            solution.problem.goal[index(Concept::kColor)][0]);
+  const std::string symbols =
+      R"({"type":1,"position_x":2,"position_y":3,"rotation":0,"color":5,"size":2})";
+  const Json trace = resultJson(kKey, solution)["trace"];
+  EXPECT_EQ(trace["legality_threshold"], 0.02);
+  EXPECT_EQ(trace["rejections"].dump(),
+            R"([{"state":)" + symbols +
+                R"(,"action":"move_left","cause":"legality","probability":0.25},{"state":)" +
+                symbols + R"(,"action":"move_front","cause":"collision","object":7,)" +
+                R"("name":"object 7","depth_m":0.125},{"state":)" + symbols +
+                R"(,"action":"move_right","cause":"workbench_edge","depth_m":0.0},{"state":)" +
+                symbols + R"(,"action":"move_back","cause":"check_failed"}])");
+  EXPECT_EQ(trace["blocking"].dump(), R"([{"object":7,"name":"object 7"}])");
+  EXPECT_EQ(trace["nearest"].dump(), R"({"symbols":)" + symbols + R"(,"differs_in":["color"]})");
+  EXPECT_TRUE(failedJson(kKey, "bug")["trace"].is_null());
 }
 
 TEST(ResultJson, EvaluationTellsSuccessOrItsCause) {

@@ -95,10 +95,12 @@ TEST(Report, TellsConfidenceAndTheSecondGuess) {
 TEST(Report, GroupsRejectionsByReason) {
   const std::string page = renderReport(sampleReport());
   EXPECT_EQ(count(page, "<article"), 3U);
-  EXPECT_THAT(page, HasSubstr("Collision with Pot 2</h3><p>3 steps"));
+  EXPECT_THAT(page, HasSubstr("Collision with Pot 2</h3><p>3 steps would bring the target "
+                              "40&nbsp;mm deep into it."));
   EXPECT_THAT(page, HasSubstr("change color is not legal</h3><p>3 steps"));
-  EXPECT_THAT(page, HasSubstr("in at most 0.2&nbsp;% of the cases; more than 1.0&nbsp;% are "));
-  EXPECT_THAT(page, HasSubstr("Beyond the workbench</h3><p>1 step "));
+  EXPECT_THAT(page, HasSubstr("in 0.2&nbsp;% of the cases at most; more than 1.0&nbsp;% are "));
+  EXPECT_THAT(page, HasSubstr("Beyond the workbench</h3><p>1 step would bring part of the target "
+                              "over the edge, by 20&nbsp;mm."));
 }
 
 TEST(Report, ShowsATaskWithoutPicturesOrPlan) {
@@ -112,6 +114,47 @@ TEST(Report, ShowsATaskWithoutPicturesOrPlan) {
   EXPECT_EQ(count(page, "<img"), 0U);
   EXPECT_THAT(page, HasSubstr("infeasible"));
   EXPECT_THAT(page, HasSubstr("No sequence of at most 24 actions reaches the goal."));
+}
+
+TEST(Report, TellsEveryStepThatWasRuledOut) {
+  Report report = sampleReport();
+  report.result.rejections[0].value = -0.0312;
+  EXPECT_THAT(renderReport(report), HasSubstr("the target 31 to 40&nbsp;mm deep into it."));
+  report.result.rejections[2].value = 0.0005;
+  const std::string page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("the target up to 40&nbsp;mm deep into it."));
+  EXPECT_THAT(page, HasSubstr("<summary>Every step (7)</summary>"));
+  EXPECT_THAT(page,
+              HasSubstr("<td>collision with Pot 2</td><td class=\"n\">31.2&nbsp;mm deep</td>"));
+  EXPECT_THAT(page,
+              HasSubstr("<td>collision with Pot 2</td><td class=\"n\">0.5&nbsp;mm away</td>"));
+  EXPECT_THAT(page, HasSubstr("<td>edge of the workbench</td>"));
+  EXPECT_THAT(page, HasSubstr("<td>action threshold</td><td class=\"n\">0.1&nbsp;%</td>"));
+}
+
+TEST(Report, SaysWhatIsInTheWayAndHowNearTheTargetGets) {
+  Report report = sampleReport();
+  report.frames.clear();
+  report.result.plans.clear();
+  report.result.status = PlanStatus::kInfeasible;
+  report.result.reason = "no way";
+  std::string page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("<p>No way.</p>"));
+  report.result.reason = "COLOR and POSITION_Y must change";
+  EXPECT_THAT(renderReport(report), HasSubstr("<p>Color and row must change.</p>"));
+  EXPECT_THAT(page, HasSubstr("3 by the action threshold, 3 by collision and 1 by the edge"));
+  report.instances = {4, 5, 9};
+  report.result.blocking = {1, 2};
+  report.result.nearest = mostProbable(report.problem.goal);
+  (*report.result.nearest)[index(Concept::kColor)] = SymbolId{0};
+  page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("Without <strong>Pot 5</strong> and <strong>Dyer 9</strong> there"));
+  EXPECT_THAT(page, HasSubstr("in reach has red in place of <strong>blue</strong>."));
+  EXPECT_THAT(page, HasSubstr("Nearest in reach"));
+  EXPECT_EQ(count(page, "class=\"thing blocking\""), 2U);
+  EXPECT_EQ(count(page, "class=\"nearest\""), 1U);
+  report.result.blocking = {3};
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("object 3 of 3 is said to be in the way"));
 }
 
 TEST(Report, CallsObjectsOfAnUnnamedTypeByTheirIdAlone) {
