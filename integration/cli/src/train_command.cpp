@@ -1,3 +1,4 @@
+#include <chrono>
 #include <optional>
 
 #include "choice_option.hpp"
@@ -31,19 +32,36 @@ Json allMeasures(const ModelManifest& manifest) {
   return measures;
 }
 
+std::string labelOf(const TrainingProgress& state) {
+  if (state.num_stages == 1) return state.stage;
+  return "stage " + std::to_string(state.stage_number) + " of " + std::to_string(state.num_stages) +
+         ": " + state.stage;
+}
+
+/// The time left of all stages; empty as long as nothing tells.
+std::string leftInAll(const TrainingProgress& state, double elapsed_s) {
+  if (state.worked <= 0) return "";
+  return durationText(elapsed_s * state.left / state.worked) + " left in all";
+}
+
 int trainStages(TrainCommandOptions options, Session& session) {
   options.training.seed = session.options.seed;
   options.training.jobs = session.options.jobs;
-  std::string stage;
+  std::string label;
   std::optional<Progress> progress;
+  const auto start = std::chrono::steady_clock::now();
   TrainingControl control;
   control.cancel = &session.cancel;
   control.progress = [&](const TrainingProgress& state) {
-    if (!progress || stage != state.stage) {
-      stage = state.stage;
-      progress = session.console.progress(stage);
+    const std::string now = labelOf(state);
+    if (!progress || label != now) {
+      label = now;
+      progress = session.console.progress(label);
     }
-    (*progress)(state.done, state.total, state.message);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    std::string note = leftInAll(state, elapsed.count());
+    if (!state.message.empty()) note += (note.empty() ? "" : "  ") + state.message;
+    (*progress)(state.done, state.total, note);
   };
   if (!train(options.stages, options.training, control)) throw Interrupted{};
   const ModelManifest manifest = readModelManifest(options.training.model);

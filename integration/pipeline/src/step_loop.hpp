@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
@@ -9,12 +11,28 @@
 
 namespace conceptplan::training {
 
+/// Steps of two phases that take different times.
+struct Phases {
+  std::int64_t first;  ///< steps of the first phase
+  double cost;         ///< of one of these, in steps of the second phase
+  std::int64_t steps;  ///< of both
+
+  /// The share of the time of all steps that `done` take.
+  double share(std::int64_t done) const {
+    const auto time = [this](std::int64_t count) {
+      const auto early = static_cast<double>(std::min(count, first));
+      return static_cast<double>(count) + (cost - 1) * early;
+    };
+    return steps > 0 ? time(done) / time(steps) : 1;
+  }
+};
+
 /// Runs a trainer's steps until all are done or the run is cancelled, with progress, a log line
-/// every hundred steps, and a checkpoint every minute. `trainer` has step(), stepsDone(),
-/// checkpoint() and restore(); `describe` gives the JSON of the latest losses.
+/// every hundred steps, and a checkpoint every minute. `trainer` has step(),
+/// stepsDone(), checkpoint() and restore(); `describe` gives the JSON of the latest losses.
 /// @returns false if cancelled. @throws InputError for a checkpoint of another run.
 template <typename Trainer, typename Describe>
-bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, std::int64_t steps,
+bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const Phases& phases,
               const Describe& describe) {
   using Clock = std::chrono::steady_clock;
   constexpr auto kCheckpointEvery = std::chrono::seconds(60);
@@ -30,7 +48,7 @@ bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, std::int64_
             "is not a checkpoint of this stage and profile; remove it to begin anew"}});
     }
   auto saved = Clock::now();
-  while (trainer.stepsDone() < steps) {
+  while (trainer.stepsDone() < phases.steps) {
     if (run.cancelled()) {
       writeFileAtomically(path, trainer.checkpoint());
       return false;
@@ -38,7 +56,8 @@ bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, std::int64_
     const std::string losses = describe(trainer.step());
     const std::int64_t done = trainer.stepsDone();
     run.report({std::string(name(stage)), static_cast<std::size_t>(done),
-                static_cast<std::size_t>(steps), losses});
+                static_cast<std::size_t>(phases.steps), losses},
+               phases.share(done));
     if (done % kLogEvery == 0)
       run.log("{\"stage\":\"" + std::string(name(stage)) + "\",\"step\":" + std::to_string(done) +
               ",\"losses\":" + losses + "}");

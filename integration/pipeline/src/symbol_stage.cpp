@@ -212,6 +212,14 @@ void calibrate(std::array<SymbolClusters, kNumConcepts>& clusters, const std::ve
 
 }  // namespace
 
+std::vector<Work> symbolWork() {
+  return {{"data: concepts-train", 0.8},
+          {"data: concepts-validation", 0.1},
+          {"reading concepts-train", 0.2},
+          {"symbols", 0.1},
+          {"reading concepts-validation", 0.2}};
+}
+
 bool makeSymbols(const Run& run, ModelManifest& manifest) {
   const auto train_data = conceptData(run, Split::kTrain);
   if (!train_data) return false;

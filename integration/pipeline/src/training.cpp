@@ -70,7 +70,19 @@ Profile profileNamed(const std::string& name) {
 }
 
 void Run::report(const TrainingProgress& progress) const {
-  if (control.progress) control.progress(progress);
+  report(progress, progress.total > 0
+                       ? static_cast<double>(progress.done) / static_cast<double>(progress.total)
+                       : 1);
+}
+
+void Run::report(TrainingProgress progress, double share) const {
+  if (!control.progress) return;
+  whole.reach(progress.stage, share);
+  progress.stage_number = stage_number;
+  progress.num_stages = num_stages;
+  progress.worked = whole.worked();
+  progress.left = whole.left();
+  control.progress(progress);
 }
 
 void Run::log(const std::string& json_line) const {
@@ -123,6 +135,32 @@ void undo(const Run& run, ModelManifest& manifest, TrainingStage first) {
     writeModelManifest(run.options.model, manifest);
 }
 
+std::vector<Work> workOf(TrainingStage stage) {
+  switch (stage) {
+    case TrainingStage::kLearnConcepts:
+      return conceptWork();
+    case TrainingStage::kMakeSymbols:
+      return symbolWork();
+    case TrainingStage::kCountTransitions:
+      return transitionWork();
+    case TrainingStage::kTrainVict:
+      return victWork();
+  }
+  return {};
+}
+
+/// The work of stages one after another; datasets that an earlier one makes are not made again.
+WholeRun wholeRun(const std::vector<TrainingStage>& stages) {
+  std::vector<Work> works;
+  for (const TrainingStage stage : stages)
+    for (const Work& work : workOf(stage))
+      if (!work.name.starts_with("data: ") ||
+          std::none_of(works.begin(), works.end(),
+                       [&work](const Work& earlier) { return earlier.name == work.name; }))
+        works.push_back(work);
+  return WholeRun(std::move(works));
+}
+
 }  // namespace
 
 }  // namespace training
@@ -131,12 +169,11 @@ std::vector<std::string> trainingProfiles() { return {"cpu", "paper", "smoke"}; 
 
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control) {
-  const training::Run run{options, control, [&] {
-                            training::Profile profile = training::profileNamed(options.profile);
-                            profile.concepts.seed = options.seed;
-                            profile.vict.seed = options.seed;
-                            return profile;
-                          }()};
+  training::Profile profile = training::profileNamed(options.profile);
+  profile.concepts.seed = options.seed;
+  profile.vict.seed = options.seed;
+  training::WholeRun whole;
+  training::Run run{options, control, std::move(profile), whole};
   createFolder(options.model);
   const TorchThreads threads(options.jobs);
 
@@ -152,7 +189,11 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
     if (!options.resume || !manifest.has(stage)) missing.push_back(stage);
   training::checkInputs(run, manifest, missing);
   if (!options.resume && !missing.empty()) training::undo(run, manifest, missing.front());
+  whole = training::wholeRun(missing);
+  run.num_stages = static_cast<int>(stages.size());
   for (const TrainingStage stage : missing) {
+    run.stage_number =
+        1 + static_cast<int>(std::find(stages.begin(), stages.end(), stage) - stages.begin());
     if (stage == TrainingStage::kLearnConcepts) {
       manifest = {};
       manifest.name = std::filesystem::weakly_canonical(options.model).filename().string();

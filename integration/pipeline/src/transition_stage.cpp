@@ -6,6 +6,8 @@
 
 namespace conceptplan::training {
 
+std::vector<Work> transitionWork() { return {{"data: tasks-train", 1.1}, {"transitions", 0.5}}; }
+
 bool countTransitions(const Run& run, ModelManifest& manifest) {
   const auto data = taskData(run);
   if (!data) return false;

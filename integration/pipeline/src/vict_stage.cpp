@@ -69,6 +69,10 @@ TaskSequence sequenceOf(const TaskDataset& data, const Task& task, const Concept
 
 }  // namespace
 
+std::vector<Work> victWork() {
+  return {{"data: tasks-train", 1.1}, {"reading tasks-train", 3}, {"vict", 24}};
+}
+
 bool trainVict(const Run& run, ModelManifest& manifest) {
   const auto data = taskData(run);
   if (!data) return false;
@@ -99,8 +103,9 @@ bool trainVict(const Run& run, ModelManifest& manifest) {
                                   {"reconstruction", losses.reconstruction}}
         .dump();
   };
-  if (!runSteps(run, TrainingStage::kTrainVict, trainer, trainer.stepsInAll(), describe))
-    return false;
+  constexpr double kTransitionStepCost = 0.1;  // perceptrons on tokens, against pictures
+  const Phases phases{run.profile.vict.transition_steps, kTransitionStepCost, trainer.stepsInAll()};
+  if (!runSteps(run, TrainingStage::kTrainVict, trainer, phases, describe)) return false;
   writeFileAtomically(run.options.model / kVictFile,
                       encodeTensors(trainer.tensors(), TensorPrecision::kFloat16));
   return true;

@@ -79,6 +79,11 @@ TEST_F(ModelCommands, TrainingGoesOnAfterAnInterrupt) {
   EXPECT_TRUE(json::parse(trained_.out).contains("measures"));
 }
 
+TEST_F(ModelCommands, TrainTellsItsStageAndTheTimeLeftOfAll) {
+  EXPECT_THAT(trained_.error, HasSubstr("stage 1 of 4: data: concepts-train  "));
+  EXPECT_THAT(trained_.error, HasSubstr(" left in all"));
+}
+
 TEST_F(ModelCommands, TrainNamesUnknownStagesAndProfiles) {
   const CommandResult stage = runCommand({"train", "concept", "--data", "d", "--model", "m"});
   EXPECT_EQ(stage.exit_code, 2);

@@ -36,7 +36,9 @@ class TrainedModel : public testing::Test {
     root_ = std::filesystem::path(testing::TempDir()) /
             ("conceptplan-trained-" + std::to_string(::getpid()));
     std::filesystem::create_directories(root_);
-    done_ = train(kAll, smokeOptions(root_, "whole"), {});
+    TrainingControl control;
+    control.progress = [](const TrainingProgress& progress) { reports_.push_back(progress); };
+    done_ = train(kAll, smokeOptions(root_, "whole"), control);
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(root_); }
 
@@ -44,6 +46,7 @@ class TrainedModel : public testing::Test {
 
   static inline std::filesystem::path root_;
   static inline bool done_ = false;
+  static inline std::vector<TrainingProgress> reports_;
 };
 
 TEST_F(TrainedModel, LearnedFromNoPlanThatIsHeldOut) {
@@ -84,6 +87,35 @@ TEST_F(TrainedModel, InterruptedAndResumedEndsWithTheSameModel) {
   for (const char* file : {kConceptsFile, kSymbolsFile, kTransitionsFile, kVictFile})
     EXPECT_EQ(readFile(whole.model / file), readFile(parts.model / file)) << file;
   EXPECT_FALSE(std::filesystem::exists(parts.model / "concepts.checkpoint"));
+}
+
+TEST_F(TrainedModel, ToldWhichStageOfAllAndWhatWasLeft) {
+  ASSERT_FALSE(reports_.empty());
+  std::vector<TrainingProgress> steps;
+  double left = 1e9;
+  int number = 1;
+  for (const TrainingProgress& report : reports_) {
+    EXPECT_EQ(report.num_stages, 4);
+    EXPECT_GE(report.stage_number, number);
+    EXPECT_LE(report.left, left) << report.stage;
+    number = report.stage_number;
+    left = report.left;
+    if (report.stage == "concepts") steps.push_back(report);
+  }
+  EXPECT_EQ(reports_.front().worked, 0);
+  EXPECT_EQ(reports_.front().stage, "data: concepts-train");
+  EXPECT_EQ(number, 4);
+  EXPECT_NEAR(left, 0, 1e-9);
+  // What was done before the first report of a work may be of an earlier run, and does not count.
+  EXPECT_LE(reports_.back().worked, reports_.front().left);
+  EXPECT_GT(reports_.back().worked, 0.75 * reports_.front().left);
+
+  // Three steps that teach tokens and one that teaches the drawer, which is a shorter one.
+  ASSERT_EQ(steps.size(), 4U);
+  EXPECT_EQ(steps[0].stage_number, 1);
+  EXPECT_NEAR((steps[0].left - steps[1].left) / (steps[2].left - steps[3].left), 1.8, 1e-9);
+  EXPECT_GT(steps[3].left, 25);
+  EXPECT_LT(steps[3].left, 35) << "concepts take most of the time";
 }
 
 TEST_F(TrainedModel, RefusesDataOfOtherOptions) {

@@ -32,6 +32,12 @@ struct TrainingProgress {
   std::size_t done = 0;   ///< steps or pictures
   std::size_t total = 0;  ///< steps or pictures
   std::string message;    ///< the latest losses, or empty
+  int stage_number = 1;   ///< the stage's number among those of the call, from 1
+  int num_stages = 1;     ///< stages of the call
+  /// What the call has done and has left to do, in typical time: `left / worked` of the time since
+  /// the first report is left.
+  double worked = 0;
+  double left = 0;
 };
 
 struct TrainingControl {
@@ -46,8 +52,8 @@ struct TrainingControl {
 /// Validation splits choose temperatures and name symbols; test splits are never read.
 /// @returns whether all is done; false if cancelled
 /// @throws InputError for a damaged dataset or model, a dataset made with another seed, size or
-///   combination than the profile and `seed` ask for, a model begun with another seed, a stage whose
-///   predecessors are missing, an unknown profile, or a checkpoint of another run.
+///   combination than the profile and `seed` ask for, a model begun with another seed, a stage
+///   whose predecessors are missing, an unknown profile, or a checkpoint of another run.
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control);
 
