@@ -28,14 +28,13 @@ struct Phases {
 };
 
 /// Runs a trainer's steps until all are done or the run is cancelled, with progress, a log line
-/// every hundred steps, and a checkpoint every minute. `trainer` has step(),
+/// every hundred steps, and a checkpoint at the profile's interval. `trainer` has step(),
 /// stepsDone(), checkpoint() and restore(); `describe` gives the JSON of the latest losses.
 /// @returns false if cancelled. @throws InputError for a checkpoint of another run.
 template <typename Trainer, typename Describe>
 bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const Phases& phases,
               const Describe& describe) {
   using Clock = std::chrono::steady_clock;
-  constexpr auto kCheckpointEvery = std::chrono::seconds(60);
   constexpr std::int64_t kLogEvery = 100;
   const auto path = run.checkpoint(stage);
   if (run.options.resume && std::filesystem::exists(path)) try {
@@ -61,7 +60,7 @@ bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const Phase
     if (done % kLogEvery == 0)
       run.log("{\"stage\":\"" + std::string(name(stage)) + "\",\"step\":" + std::to_string(done) +
               ",\"losses\":" + losses + "}");
-    if (Clock::now() - saved > kCheckpointEvery) {
+    if (Clock::now() - saved > run.profile.checkpoint_interval) {
       writeFileAtomically(path, trainer.checkpoint());
       saved = Clock::now();
     }

@@ -245,7 +245,7 @@ bool makeSymbols(const Run& run, ModelManifest& manifest) {
   }
 
   const ObservedObjects validation =
-      observe(run, *validation_data, validation_data->size(), "reading concepts-validation");
+      observe(run, *validation_data, run.profile.validation_images, "reading concepts-validation");
   const std::vector<Tokens> plain = learner.encode(validation.inputs);
   const std::vector<Tokens> changed = learner.encode(
       varied(validation.inputs, run.profile.concepts.augmentation, run.options.seed));

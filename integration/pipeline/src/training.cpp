@@ -45,6 +45,8 @@ Profile smokeProfile() {
   profile.concept_samples = 1;
   profile.tasks_per_level = 2;
   profile.symbol_images = 400;
+  profile.validation_images = 240;
+  profile.checkpoint_interval = std::chrono::seconds(0);
   profile.concepts.encoder_steps = 2;
   profile.concepts.sharpening_steps = 1;
   profile.concepts.drawer_steps = 1;
@@ -186,7 +188,10 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
   }
   std::vector<TrainingStage> missing;
   for (const TrainingStage stage : stages)
-    if (!options.resume || !manifest.has(stage)) missing.push_back(stage);
+    if (options.resume && manifest.has(stage))
+      std::filesystem::remove(run.checkpoint(stage));  // killed before it could remove it
+    else
+      missing.push_back(stage);
   training::checkInputs(run, manifest, missing);
   if (!options.resume && !missing.empty()) training::undo(run, manifest, missing.front());
   whole = training::wholeRun(missing);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +22,12 @@ struct Profile {
   int concept_samples = 6;  ///< colour samples of each training combination
   int tasks_per_level = 240;
   std::size_t symbol_images = 8000;  ///< training images that are clustered
+  /// Most validation images on which symbols are calibrated and measured.
+  std::size_t validation_images = std::numeric_limits<std::size_t>::max();
   std::size_t synthesis_frames = 2600;  ///< most frames that ViCT keeps in memory
   ConceptTrainingOptions concepts;
   VictTrainingOptions vict;
+  std::chrono::seconds checkpoint_interval{60};
 };
 
 /// @throws InputError for an unknown name.

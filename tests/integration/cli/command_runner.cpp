@@ -51,7 +51,7 @@ class Process {
     return !ended_;
   }
 
-  void interrupt() { ::kill(id_, SIGINT); }
+  void send(int signal) { ::kill(id_, signal); }
 
   CommandResult wait() {
     if (!ended_) ::waitpid(id_, &status_, 0);
@@ -73,6 +73,17 @@ class Process {
   bool ended_ = false;
 };
 
+CommandResult runUntil(const std::vector<std::string>& arguments,
+                       const std::function<bool()>& condition, int signal) {
+  Process process(arguments);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (process.running() && !condition() && std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  if (process.running()) process.send(signal);
+  return process.wait();
+}
+
 }  // namespace
 
 CommandResult runCommand(const std::vector<std::string>& arguments) {
@@ -81,13 +92,12 @@ CommandResult runCommand(const std::vector<std::string>& arguments) {
 
 CommandResult runInterrupted(const std::vector<std::string>& arguments,
                              const std::function<bool()>& condition) {
-  Process process(arguments);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (process.running() && !condition() && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  if (process.running()) process.interrupt();
-  return process.wait();
+  return runUntil(arguments, condition, SIGINT);
+}
+
+CommandResult runKilled(const std::vector<std::string>& arguments,
+                        const std::function<bool()>& condition) {
+  return runUntil(arguments, condition, SIGKILL);
 }
 
 }  // namespace conceptplan::cli

@@ -20,4 +20,8 @@ CommandResult runCommand(const std::vector<std::string>& arguments);
 CommandResult runInterrupted(const std::vector<std::string>& arguments,
                              const std::function<bool()>& condition);
 
+/// The same with SIGKILL, to which no program can answer.
+CommandResult runKilled(const std::vector<std::string>& arguments,
+                        const std::function<bool()>& condition);
+
 }  // namespace conceptplan::cli

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -33,6 +34,8 @@ class ModelCommands : public ::testing::Test {
         train, [] { return std::filesystem::exists(root_ / "data/concepts-train"); });
     trained_ = runCommand(train);
     if (trained_.exit_code != 0) return;
+    std::filesystem::create_directories(root_ / "as-trained");
+    std::filesystem::copy(model(), root_ / "as-trained/model");
     const ModelManifest manifest = readModelManifest(model());
     writeSymbolicModel(root_ / "model" / kTransitionsFile, conceptplan::testing::learnedModel());
     writeModelManifest(model(), manifest);
@@ -82,6 +85,33 @@ TEST_F(ModelCommands, TrainingGoesOnAfterAnInterrupt) {
 TEST_F(ModelCommands, TrainTellsItsStageAndTheTimeLeftOfAll) {
   EXPECT_THAT(trained_.error, HasSubstr("stage 1 of 4: data: concepts-train  "));
   EXPECT_THAT(trained_.error, HasSubstr(" left in all"));
+}
+
+TEST_F(ModelCommands, KilledAtAnyMomentTrainingGoesOnToTheSameModel) {
+  const std::filesystem::path killed = root_ / "killed";
+  const std::vector<std::string> train{"train",     "all",
+                                       "--data",    (killed / "data").string(),
+                                       "--model",   (killed / "model").string(),
+                                       "--profile", "smoke",
+                                       "--resume"};
+  for (const char* moment :
+       {"data/concepts-train/concepts-00001.bin", "model/concepts.checkpoint",
+        "model/manifest.json", "data/tasks-train/images/level3-000000/00.rgb.png",
+        "model/vict.checkpoint"}) {
+    const CommandResult result =
+        runKilled(train, [&] { return std::filesystem::exists(killed / moment); });
+    EXPECT_EQ(result.exit_code, 128 + SIGKILL) << moment << result.error;
+  }
+  const CommandResult ended = runCommand(train);
+  ASSERT_EQ(ended.exit_code, 0) << ended.error;
+  for (const char* file :
+       {"manifest.json", kConceptsFile, kSymbolsFile, kTransitionsFile, kVictFile}) {
+    EXPECT_EQ(readFile(killed / "model" / file), readFile(root_ / "as-trained/model" / file))
+        << file;
+  }
+  for (const char* stage : {"concepts", "vict"}) {
+    EXPECT_FALSE(std::filesystem::exists(killed / "model" / (std::string(stage) + ".checkpoint")));
+  }
 }
 
 TEST_F(ModelCommands, TrainNamesUnknownStagesAndProfiles) {
