@@ -38,7 +38,7 @@ bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const Phase
   constexpr std::int64_t kLogEvery = 100;
   const auto path = run.checkpoint(stage);
   if (run.options.resume && std::filesystem::exists(path)) try {
-      trainer.restore(readFile(path));
+      trainer.restore(readFile(path), path);
     } catch (const InputError&) {
       throw;
     } catch (const std::exception&) {

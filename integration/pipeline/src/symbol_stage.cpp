@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <random>
 
@@ -241,6 +242,10 @@ bool makeSymbols(const Run& run, ModelManifest& manifest) {
         kMeans(tokensOf(train_tokens, which), kConceptCardinality[index(which)], options);
     manifest.measures["train/suspicious_clusters/" + std::string(name(which))] =
         result.suspicious ? 1 : 0;
+    if (result.suspicious)
+      run.log(nlohmann::ordered_json{
+          {"stage", "symbols"}, {"concept", name(which)}, {"doubt", result.reason}}
+                  .dump());
     clusters[index(which)].centers = std::move(result.centers);
   }
 

@@ -25,17 +25,7 @@ Profile cpuProfile() {
 Profile paperProfile() {
   Profile profile = cpuProfile();
   profile.name = "paper";
-  profile.concepts.encoder = EncoderKind::kFullFrame;
-  profile.concepts.chains = 8;
-  profile.concepts.reconstruction_start = 0;
-  profile.concepts.sharpening_steps = 0;
-  profile.concepts.drawer_steps = 0;
-  profile.concepts.learning_rate = 3e-4;
-  profile.concepts.tokenizer_rate_share = 1.0 / 30;
-  profile.concepts.reconstruction_weight = 1;
-  profile.concepts.pair_weight = 0;
-  profile.concepts.use_weight = 0;
-  profile.concepts.confidence_weight = 0;
+  profile.concepts = paperConceptTraining();
   return profile;
 }
 

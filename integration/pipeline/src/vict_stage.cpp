@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/files/checksum.hpp"
 #include "conceptplan/domain/model/symbolic_model.hpp"
 #include "conceptplan/learner/background.hpp"
 #include "conceptplan/learner/effect_context.hpp"
@@ -96,7 +97,10 @@ bool trainVict(const Run& run, ModelManifest& manifest) {
     sequences.push_back(sequenceOf(*data, data->tasks()[i], learner, symbols.symbolizer, model));
   }
 
-  VictTrainer trainer(sequences, learner, run.profile.vict);
+  VictTrainingOptions options = run.profile.vict;
+  for (const auto& path : {concepts_path, symbols_path, run.options.model / kTransitionsFile})
+    options.source += hexadecimal(crc32OfFile(path));
+  VictTrainer trainer(sequences, learner, options);
   const auto describe = [](const VictLosses& losses) {
     return nlohmann::ordered_json{{"tokens", losses.tokens},
                                   {"prediction", losses.prediction},
