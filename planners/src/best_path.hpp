@@ -14,10 +14,10 @@
 
 namespace conceptplan {
 
-/// A path of least cost, of these one of the fewest steps, and with the oldest of ties first that
-/// which `severalPaths` finds first; in a list of one, or an empty list if there is no path or a
-/// limit strikes. Each state where the search comes has a record of 12 bytes, each state of the
-/// problem half a byte, and each is expanded at most once.
+/// A path of least cost, of these one of the fewest steps, and with the oldest of ties first and
+/// costs that are not reduced that which `severalPaths` finds first; in a list of one, or an empty
+/// list if there is no path or a limit strikes. Each state where the search comes has a record of
+/// 12 bytes, each state of the problem half a byte, and each is expanded at most once.
 ///
 /// Nothing if one record a state cannot tell: a state was as far from the start as the horizon
 /// before the goal was found, so that a longer way to some state may have hidden a shorter one that
@@ -44,8 +44,9 @@ std::optional<std::vector<StatePath>> bestPath(std::size_t num_states, StateId s
   reached[start].rank = least;
   open.push(static_cast<std::uint64_t>(least), {start, 0});
   while (!open.empty()) {
-    const auto [key, way] = open.pop();
-    const auto rank = static_cast<PathRank>(key);
+    const auto next = open.pop();
+    const Open way = next.value;
+    const auto rank = static_cast<PathRank>(next.key);
     if (rank != reached[way.state].rank) continue;  // a better one came by
     if (!guard.expand(statistics)) return std::vector<StatePath>();
     if (way.state == goal) return std::vector{reached.pathBetween(start, goal)};

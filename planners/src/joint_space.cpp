@@ -11,7 +11,7 @@ namespace conceptplan {
 namespace {
 
 /// States whose validity is asked for between two looks at the limits.
-constexpr std::size_t kCheckedAtOnce = 256;
+constexpr std::size_t kCheckedAtOnce = 16;
 
 constexpr JointState kMostJointStates = std::numeric_limits<std::int64_t>::max();
 

@@ -7,7 +7,7 @@ namespace {
 
 DatasetState stateOf(const std::filesystem::path& folder, const std::string& kind,
                      const nlohmann::json& options) {
-  if (!std::filesystem::exists(folder / kManifestName)) return DatasetState::kMissing;
+  if (!wasBegun(folder)) return DatasetState::kMissing;
   const Manifest manifest = readManifest(folder);
   expectDataset(manifest, folder, kind, options);
   return manifest.complete ? DatasetState::kComplete : DatasetState::kInterrupted;

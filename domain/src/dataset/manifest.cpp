@@ -161,14 +161,17 @@ void expectDataset(const Manifest& found, const std::filesystem::path& folder,
   throw InputError(std::move(faults));
 }
 
+bool wasBegun(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder / kManifestName)) return true;
+  if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder))
+    fail(folder, "is neither empty nor a dataset");
+  return false;
+}
+
 void beginDataset(const std::filesystem::path& folder, const std::string& kind,
                   const nlohmann::json& options) {
   createFolder(folder);
-  if (std::filesystem::exists(folder / kManifestName)) {
-    expectDataset(readManifest(folder), folder, kind, options);
-  } else if (!std::filesystem::is_empty(folder)) {
-    fail(folder, "is neither empty nor a dataset");
-  }
+  if (wasBegun(folder)) expectDataset(readManifest(folder), folder, kind, options);
   writeManifest(folder, {kind, options, false, 0});
 }
 

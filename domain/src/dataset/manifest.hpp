@@ -46,6 +46,10 @@ Manifest readManifest(const std::filesystem::path& folder, const std::string& ki
 void expectDataset(const Manifest& found, const std::filesystem::path& folder,
                    const std::string& kind, const nlohmann::json& options);
 
+/// Whether a dataset was begun in the folder, which need not exist.
+/// @throws InputError if there is something else in it.
+bool wasBegun(const std::filesystem::path& folder);
+
 /// Writes an incomplete manifest, or finds that one of the same kind and options is there. A
 /// complete set becomes incomplete. @throws InputError if the folder holds something else.
 void beginDataset(const std::filesystem::path& folder, const std::string& kind,

@@ -104,7 +104,10 @@ void checkInputs(const Run& run, const ModelManifest& manifest,
   for (auto stage = missing.begin(); stage != missing.end(); ++stage) {
     checkData(run, *stage);
     if (*stage == TrainingStage::kLearnConcepts) {
-      if (!run.options.start_from.empty()) readFile(run.options.start_from / kConceptsFile);
+      if (!run.options.start_from.empty()) {
+        const auto path = run.options.start_from / kConceptsFile;
+        decodeTensors(readFile(path), path);
+      }
       continue;
     }
     const auto before = static_cast<TrainingStage>(static_cast<int>(*stage) - 1);
@@ -121,6 +124,7 @@ void undo(const Run& run, ModelManifest& manifest, TrainingStage first) {
   for (int stage = static_cast<int>(first); stage < kNumTrainingStages; ++stage)
     std::filesystem::remove(run.checkpoint(static_cast<TrainingStage>(stage)));
   std::erase_if(manifest.stages, [&](TrainingStage done) { return done >= first; });
+  if (first <= TrainingStage::kMakeSymbols) manifest.measures.clear();
   if (manifest.stages.empty())
     std::filesystem::remove(run.options.model / kManifestFile);
   else
