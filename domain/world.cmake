@@ -1,6 +1,7 @@
 set(world_headers)
 foreach(header IN ITEMS
-    action camera concept image image_quality input_error object object_crop symbols task workbench world
+    action camera concept image image_quality input_error listed object object_crop symbol_key symbols
+    task workbench world
     dataset/concept_dataset dataset/concept_dataset_writer dataset/dataset_state dataset/dataset_summary
     dataset/task_dataset dataset/task_dataset_writer
     simulation/concept_set simulation/judgement simulation/random_stream
@@ -14,8 +15,10 @@ set(world_sources
   src/concept.cpp
   src/image_quality.cpp
   src/input_error.cpp
+  src/listed.cpp
   src/object.cpp
   src/object_crop.cpp
+  src/symbol_key.cpp
   src/symbols.cpp
   src/task.cpp
   src/dataset/concept_dataset.cpp

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "conceptplan/domain/listed.hpp"
 #include "graph_tables.hpp"
 #include "projection_heuristic.hpp"
 
@@ -135,16 +136,6 @@ std::optional<StateId> nearestReached(const SymbolGraph& graph, StateId goal,
     }
   }
   return nearest;
-}
-
-/// "1", "1 and 2" or "1, 2 and 3".
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
 }
 
 std::string differences(const Symbols& a, const Symbols& b) {

@@ -1,20 +1,10 @@
 #pragma once
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 
-#include "conceptplan/domain/concept.hpp"
+#include "conceptplan/domain/symbol_key.hpp"
 
 namespace conceptplan {
-
-/// The key of a concept in a scenario file: "position_x".
-inline std::string symbolKey(Concept which) {
-  std::string key(name(which));
-  std::transform(key.begin(), key.end(), key.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return key;
-}
 
 inline constexpr const char* kGoalSymbolsKey = "goal.symbols";
 

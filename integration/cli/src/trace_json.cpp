@@ -1,22 +1,13 @@
 #include "trace_json.hpp"
 
-#include <algorithm>
+#include "conceptplan/domain/symbol_key.hpp"
 
 namespace conceptplan::cli {
 namespace {
 
-/// What a scenario file calls a concept: "position_x".
-std::string keyOf(Concept which) {
-  std::string key(name(which));
-  std::ranges::transform(key, key.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return key;
-}
-
 Json symbolsJson(const Symbols& symbols) {
   Json json = Json::object();
-  for (const Concept which : kConcepts) json[keyOf(which)] = index(symbols[index(which)]);
+  for (const Concept which : kConcepts) json[symbolKey(which)] = index(symbols[index(which)]);
   return json;
 }
 
@@ -45,7 +36,7 @@ Json nearestJson(const Solution& solution) {
   const Symbols goal = mostProbable(solution.problem.goal);
   Json differs = Json::array();
   for (const Concept which : kConcepts) {
-    if ((*nearest)[index(which)] != goal[index(which)]) differs.push_back(keyOf(which));
+    if ((*nearest)[index(which)] != goal[index(which)]) differs.push_back(symbolKey(which));
   }
   return {{"symbols", symbolsJson(*nearest)}, {"differs_in", differs}};
 }

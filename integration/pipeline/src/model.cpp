@@ -166,11 +166,12 @@ std::filesystem::path findModel(const std::string& name, const std::filesystem::
   places.push_back(std::filesystem::path(CONCEPTPLAN_SOURCE_MODELS) / name);
   std::string tried;
   for (const auto& place : places) {
-    if (std::filesystem::exists(place / "manifest.json")) return place;
+    if (std::filesystem::exists(place / kModelManifestFile)) return place;
     tried += (tried.empty() ? "" : ", ") + place.string();
   }
-  throw InputError({{name, std::nullopt, std::nullopt, "model",
-                     "no such model; looked for manifest.json in " + tried}});
+  throw InputError(
+      {{name, std::nullopt, std::nullopt, "model",
+        "no such model; looked for " + std::string(kModelManifestFile) + " in " + tried}});
 }
 
 }  // namespace conceptplan

@@ -13,7 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kManifestFile = "manifest.json";
 constexpr std::array kStages{TrainingStage::kLearnConcepts, TrainingStage::kMakeSymbols,
                              TrainingStage::kCountTransitions, TrainingStage::kTrainVict};
 
@@ -103,7 +102,7 @@ bool ModelManifest::has(TrainingStage stage) const {
 }
 
 ModelManifest readModelManifest(const std::filesystem::path& folder) {
-  const auto path = folder / kManifestFile;
+  const auto path = folder / kModelManifestFile;
   const std::string text = readFile(path);
   const Json json =
       nestsTooDeep(text) ? Json() : Json::parse(text, nullptr, /*allow_exceptions=*/false);
@@ -149,7 +148,7 @@ void writeModelManifest(const std::filesystem::path& folder, ModelManifest manif
                   {"stages", stages},
                   {"measures", manifest.measures},
                   {"files", manifest.files}};
-  writeFileAtomically(folder / kManifestFile, json.dump(2) + "\n");
+  writeFileAtomically(folder / kModelManifestFile, json.dump(2) + "\n");
 }
 
 }  // namespace conceptplan

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "conceptplan/pipeline/object_name.hpp"
+#include "conceptplan/domain/listed.hpp"
 #include "conceptplan/pipeline/solve.hpp"
 
 namespace conceptplan {

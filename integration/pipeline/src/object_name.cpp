@@ -9,13 +9,4 @@ std::string objectName(const SymbolGrounding& grounding, const SymbolBelief& bel
   return (named ? types[type] : "object") + " " + std::to_string(instance);
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-    text += names[i];
-  }
-  return text;
-}
-
 }  // namespace conceptplan

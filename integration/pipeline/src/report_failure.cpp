@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "conceptplan/pipeline/object_name.hpp"
+#include "conceptplan/domain/listed.hpp"
 #include "report_markup.hpp"
 #include "report_sections.hpp"
 #include "report_symbols.hpp"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "conceptplan/pipeline/object_name.hpp"
+#include "conceptplan/domain/listed.hpp"
 #include "report_markup.hpp"
 #include "report_sections.hpp"
 #include "report_symbols.hpp"

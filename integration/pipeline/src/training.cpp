@@ -14,8 +14,6 @@ namespace conceptplan {
 namespace training {
 namespace {
 
-constexpr const char* kManifestFile = "manifest.json";
-
 Profile cpuProfile() {
   Profile profile;
   profile.name = "cpu";
@@ -91,7 +89,7 @@ namespace {
 void checkSeed(const Run& run, const ModelManifest& manifest) {
   if (manifest.seed != run.options.seed)
     throw InputError(
-        {{(run.options.model / kManifestFile).string(), std::nullopt, std::nullopt, "seed",
+        {{(run.options.model / kModelManifestFile).string(), std::nullopt, std::nullopt, "seed",
           "expected " + std::to_string(run.options.seed) + ", found " +
               std::to_string(manifest.seed) + "; go on with --seed " +
               std::to_string(manifest.seed) + ", or train all stages anew"}});
@@ -126,7 +124,7 @@ void undo(const Run& run, ModelManifest& manifest, TrainingStage first) {
   std::erase_if(manifest.stages, [&](TrainingStage done) { return done >= first; });
   if (first <= TrainingStage::kMakeSymbols) manifest.measures.clear();
   if (manifest.stages.empty())
-    std::filesystem::remove(run.options.model / kManifestFile);
+    std::filesystem::remove(run.options.model / kModelManifestFile);
   else
     writeModelManifest(run.options.model, manifest);
 }
@@ -176,7 +174,7 @@ bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& opti
   ModelManifest manifest;
   const bool anew =
       !options.resume && !stages.empty() && stages.front() == TrainingStage::kLearnConcepts;
-  if (!anew && std::filesystem::exists(options.model / training::kManifestFile)) {
+  if (!anew && std::filesystem::exists(options.model / kModelManifestFile)) {
     manifest = readModelManifest(options.model);
     training::checkSeed(run, manifest);
   }

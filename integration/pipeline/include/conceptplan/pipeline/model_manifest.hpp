@@ -40,6 +40,7 @@ inline constexpr const char* kConceptsFile = "concepts.safetensors";
 inline constexpr const char* kSymbolsFile = "symbols.safetensors";
 inline constexpr const char* kTransitionsFile = "symbolic_model.json";
 inline constexpr const char* kVictFile = "vict.safetensors";
+inline constexpr const char* kModelManifestFile = "manifest.json";
 
 /// Reads FOLDER/manifest.json and checks that every file it names is there and unchanged.
 /// @throws InputError with all faults.
