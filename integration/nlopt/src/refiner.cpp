@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -63,32 +64,63 @@ std::string millimetres(double length_m) {
   return text;
 }
 
-double objectiveOf(unsigned count, const double* variables, double* gradient, void* program) {
-  const double value = static_cast<const MotionProgram*>(program)->objective(
-      Eigen::Map<const Eigen::VectorXd>(variables, count), gradient);
+/// Tells when a refinement must end.
+class Deadline {
+ public:
+  explicit Deadline(const RefinementOptions& options)
+      : options_(options), since_(std::chrono::steady_clock::now()) {}
+
+  /// Why it must end; empty if it need not.
+  std::string reason() const {
+    if (options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed)) {
+      return "cancelled";
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - since_;
+    if (passed.count() < options_.timeout_s) return {};
+    return "stopped at the time limit of " + std::to_string(options_.timeout_s) + " s";
+  }
+
+ private:
+  const RefinementOptions& options_;
+  std::chrono::steady_clock::time_point since_;
+};
+
+/// One run of NLopt.
+struct Minimisation {
+  const MotionProgram& program;
+  const Deadline& deadline;
+  nlopt_opt solver;
+};
+
+double objectiveOf(unsigned count, const double* variables, double* gradient, void* data) {
+  const auto& minimisation = *static_cast<const Minimisation*>(data);
+  if (!minimisation.deadline.reason().empty()) nlopt_force_stop(minimisation.solver);
+  const double value =
+      minimisation.program.objective(Eigen::Map<const Eigen::VectorXd>(variables, count), gradient);
   if (gradient != nullptr) Eigen::Map<Eigen::VectorXd>(gradient, count) *= kObjectiveScale;
   return kObjectiveScale * value;
 }
 
 void constraintsOf(unsigned, double* values, unsigned count, const double* variables,
-                   double* gradients, void* program) {
-  static_cast<const MotionProgram*>(program)->constraints(
+                   double* gradients, void* data) {
+  static_cast<const Minimisation*>(data)->program.constraints(
       Eigen::Map<const Eigen::VectorXd>(variables, count), values, gradients);
 }
 
-/// Takes the variables to a local optimum, or as near to one as the limit of evaluations allows.
+/// Takes the variables to a local optimum, or as near to one as the limits allow.
 /// @return evaluations.
-int minimise(MotionProgram& program, nlopt_algorithm algorithm, int max_evaluations,
-             Eigen::VectorXd& variables) {
+int minimise(const MotionProgram& program, nlopt_algorithm algorithm, int max_evaluations,
+             const Deadline& deadline, Eigen::VectorXd& variables) {
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> solver(
       nlopt_create(algorithm, static_cast<unsigned>(program.numVariables())), &nlopt_destroy);
-  nlopt_set_min_objective(solver.get(), &objectiveOf, &program);
+  Minimisation minimisation{program, deadline, solver.get()};
+  nlopt_set_min_objective(solver.get(), &objectiveOf, &minimisation);
   nlopt_set_lower_bounds(solver.get(), program.lowerBounds().data());
   nlopt_set_upper_bounds(solver.get(), program.upperBounds().data());
   if (program.numConstraints() > 0) {
     const std::vector<double> tolerances(program.numConstraints(), 1e-5);
     nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(tolerances.size()),
-                                     &constraintsOf, &program, tolerances.data());
+                                     &constraintsOf, &minimisation, tolerances.data());
   }
   nlopt_set_ftol_rel(solver.get(), 1e-4);
   nlopt_set_maxeval(solver.get(), max_evaluations);
@@ -163,16 +195,16 @@ Candidate measure(const MotionTask& task, Trajectory trajectory) {
 
 /// The best motion near the discrete one that the solver finds, whether it is clear or not.
 Candidate solve(const MotionTask& task, const RefinementOptions& options, const Candidate& discrete,
-                const std::vector<bool>& lifted, int& evaluations) {
+                const std::vector<bool>& lifted, const Deadline& deadline, int& evaluations) {
   MotionProgram program(task, options, discrete.trajectory, lifted);
   Candidate best = discrete;
   if (program.numVariables() == 0) return best;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMostRounds && deadline.reason().empty(); ++round) {
     // From the plan each time: a motion that went through an obstacle cannot be led out of it.
     Eigen::VectorXd variables = program.startOf(discrete.trajectory);
     if (program.select(best.trajectory, round == 0 ? kReach_m : 0) == 0 && round > 0) break;
-    evaluations +=
-        minimise(program, find(options.algorithm)->id, options.max_evaluations, variables);
+    evaluations += minimise(program, find(options.algorithm)->id, options.max_evaluations, deadline,
+                            variables);
     if (!variables.allFinite()) return discrete;
     best = measure(task, program.trajectoryOf(variables));
     if (best.clearance_m >= options.clearance_m) break;
@@ -215,6 +247,7 @@ Refiner::Refiner(const RefinementOptions& options) : options_(options) {
           "a number in [0, 0.5)");
   require(options.max_lift_m >= 0 && std::isfinite(options.max_lift_m), "max_lift_m",
           options.max_lift_m, ">= 0");
+  require(options.timeout_s > 0, "timeout_s", options.timeout_s, "> 0");
   require(options.max_evaluations >= 1, "max_evaluations", options.max_evaluations, ">= 1");
   if (find(options.algorithm) == nullptr) {
     throw std::invalid_argument("algorithm is " + options.algorithm +
@@ -229,22 +262,24 @@ RefinementResult Refiner::refine(const MotionTask& task) const {
       !std::all_of(task.obstacles.begin(), task.obstacles.end(), measured)) {
     throw std::invalid_argument("a cylinder of the motion has no measure");
   }
+  const Deadline deadline(options_);
   const Candidate discrete = measure(task, discreteTrajectory(task, options_.action_s));
   Candidate motion = discrete;
   int evaluations = 0;
   std::string reason = nearnessAtRest(task, options_.clearance_m);
   if (reason.empty()) {
-    motion = solve(task, options_, discrete, {}, evaluations);
+    motion = solve(task, options_, discrete, {}, deadline, evaluations);
     const std::string pushed = faultOf(motion, discrete, options_.clearance_m);
     if (!pushed.empty()) reason = "pushed, the motion " + pushed;
     const auto lifted =
         pushed.empty() ? std::vector<bool>() : movesToLift(task, options_.clearance_m);
     if (std::find(lifted.begin(), lifted.end(), true) != lifted.end()) {
-      motion = solve(task, options_, discrete, lifted, evaluations);
+      motion = solve(task, options_, discrete, lifted, deadline, evaluations);
       const std::string fault = faultOf(motion, discrete, options_.clearance_m);
       reason = fault.empty() ? "" : reason + "; lifted, it " + fault;
     }
   }
+  if (const std::string late = deadline.reason(); !late.empty()) reason = late;
   if (!reason.empty()) motion = discrete;
   return {motion.trajectory,
           motion.length_m,

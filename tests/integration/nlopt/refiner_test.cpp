@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <future>
 #include <limits>
@@ -191,6 +192,31 @@ TEST(Refiner, ThreadsGiveTheSameMotions) {
   for (auto& result : results) EXPECT_EQ(result.get().trajectory, alone);
 }
 
+/// That the answer is the plan as it was, for the reason given, and that the solver hardly ran.
+void expectCutShort(const RefinementOptions& options, const std::string& reason) {
+  const MotionTask task = testing::plannedMotion(4, 1);
+  const RefinementResult result = Refiner(options).refine(task);
+  EXPECT_TRUE(result.fell_back);
+  EXPECT_EQ(result.reason, reason);
+  EXPECT_EQ(result.trajectory, discreteTrajectory(task, options.action_s));
+  EXPECT_EQ(result.length_m, result.discrete_length_m);
+  EXPECT_LE(result.evaluations, 1);
+}
+
+TEST(Refiner, FallsBackOnceTheTimeIsUpOrItIsCancelled) {
+  RefinementOptions options;
+  options.timeout_s = 1e-9;
+  expectCutShort(options, "stopped at the time limit of 0.000000 s");
+  options = {};
+  const std::atomic<bool> cancel{true};
+  options.cancel = &cancel;
+  expectCutShort(options, "cancelled");
+  const std::atomic<bool> not_cancelled{false};
+  options.cancel = &not_cancelled;
+  options.timeout_s = 600;
+  EXPECT_FALSE(Refiner(options).refine(testing::plannedMotion(4, 1)).fell_back);
+}
+
 TEST(Refiner, RefusesOptionsOutOfRange) {
   const auto with = [](auto change) {
     return [change] {
@@ -209,6 +235,7 @@ TEST(Refiner, RefusesOptionsOutOfRange) {
   EXPECT_THAT(with([](auto& o) { o.cell_reach = 0.5; }), throws("cell_reach is 0.5"));
   EXPECT_THAT(with([](auto& o) { o.max_lift_m = -1; }), throws("max_lift_m is -1"));
   EXPECT_THAT(with([](auto& o) { o.max_evaluations = 0; }), throws("max_evaluations is 0"));
+  EXPECT_THAT(with([](auto& o) { o.timeout_s = 0; }), throws("timeout_s is 0"));
 }
 
 TEST(Refiner, RefusesAMotionWithoutMeasures) {

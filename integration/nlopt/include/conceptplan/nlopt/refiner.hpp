@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,9 @@ struct RefinementOptions {
   double cell_reach = 0.25;
   double max_lift_m = 0.4;    ///< >= 0; 0: the target is always pushed
   int max_evaluations = 300;  ///< of objective and constraints, in one solution, >= 1
+  /// Of the whole refinement, > 0; once it strikes, the discrete plan is the answer.
+  double timeout_s = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* cancel = nullptr;  ///< the same soon after it turns true
 };
 
 /// What came of a refinement.
@@ -53,8 +58,8 @@ const std::vector<RefinementAlgorithm>& refinementAlgorithms();
 /// target is lifted on the way between two places.
 ///
 /// What is answered keeps the asked clearance, measured and not only solved for, and is no longer
-/// than the discrete plan; else it is the discrete plan, and says so. Thread-safe and
-/// deterministic. Formulas: docs/equations.md, "Refinement".
+/// than the discrete plan; else it is the discrete plan, and says so. Thread-safe and, unless the
+/// time limit strikes, deterministic. Formulas: docs/equations.md, "Refinement".
 class Refiner {
  public:
   /// @throws std::invalid_argument if an option is out of range or the algorithm unknown.
