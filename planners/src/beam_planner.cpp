@@ -47,7 +47,7 @@ bool keepBest(std::vector<Candidate>& candidates, const PathTree& tree, std::siz
 
 std::vector<StatePath> beamPaths(const PathTask& task, const StateSteps& successors,
                                  std::size_t width) {
-  const ProjectionHeuristic heuristic(task.graph, task.goal, successors);
+  const ProjectionHeuristic heuristic(task.graph, task.goal, successors, &task.guard);
   PathTree tree(task.start);
   std::vector<StatePath> found;
   std::vector<std::size_t> visits(task.graph.numStates(), 0);
@@ -58,7 +58,7 @@ std::vector<StatePath> beamPaths(const PathTask& task, const StateSteps& success
   for (std::size_t length = 0; !layer.empty() && found.size() < task.query.top; ++length) {
     for (const Candidate& candidate : layer) {
       const StateId state = tree[candidate.node].state;
-      if (!task.guard.expand(task.statistics)) return found;
+      if (!task.guard.expand(task.statistics, state)) return found;
       if (state == task.goal) found.push_back(tree.path(candidate.node));
       if (length == task.query.limits.horizon) continue;
       successors(state, next);

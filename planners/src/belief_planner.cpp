@@ -146,6 +146,79 @@ void giveUpIfLeftOut(const Candidates& found, bool goal_in_reach,
   }
 }
 
+PlanResult answer(const SymbolGraph& graph, const PlanQuery& query,
+                  const BeliefPlannerOptions& options, SearchGuard& guard) {
+  const bool hard = options.hard_symbols;
+  const BeliefTask task{
+      graph,
+      hard ? only(graph.mostProbableStart()) : sparseStartBelief(graph, graph.initialBelief()),
+      hard ? only(graph.mostProbableGoal()) : sparseStateBelief(graph, graph.problem().goal),
+      options.legality_threshold};
+  const double discount = 1 - options.step_discount;
+  const std::string mismatch = frozenMismatch(graph);
+  const double frozen = hard && !mismatch.empty() ? 0 : graph.frozenAgreement();
+
+  // With hard symbols the other objects are taken as most probably read too.
+  const std::size_t readings = hard ? 1 : graph.numReadings();
+  const std::size_t horizon = query.limits.horizon;
+
+  PlanResult result;
+  bool goal_in_reach = false;
+  for (std::size_t i = 0; mismatch.empty() && !goal_in_reach && i < readings; ++i) {
+    goal_in_reach =
+        isInReach(graph, graph.inReading(graph.mostProbableStart(), i),
+                  graph.inReading(graph.mostProbableGoal(), i), task.threshold, horizon, guard);
+  }
+  Candidates found;
+  if (frozen > 0) found = candidates(task, query, options, guard, result.statistics);
+  for (const ScoredSequence& sequence : found.sequences) {
+    Plan plan = judged(task, sequence.actions, options.ranking, discount);
+    if (plan.probability > 0) result.plans.push_back(std::move(plan));
+  }
+  std::sort(result.plans.begin(), result.plans.end(), ranksBefore);
+
+  const double best = result.plans.empty() ? 0 : result.plans.front().probability;
+  const bool is_proved = goal_in_reach && !guard.stopped();
+  if (best > 0 && (is_proved || best >= options.min_probability)) {
+    result.status = PlanStatus::kSolved;
+    if (guard.stopped()) result.reason = guard.reason() + "; the best plans found so far";
+    if (!goal_in_reach) {
+      result.reason = (mismatch.empty() ? outOfReach(horizon) : mismatch) +
+                      "; planned for a less probable reading of the pictures";
+    }
+    result.rejections =
+        traceRejections(graph, likelyStates(task, result.plans.front().actions), task.threshold);
+    return result;
+  }
+  result.plans.clear();
+  if (!guard.stopped()) {
+    giveUpIfLeftOut(found, goal_in_reach, options, horizon, guard);
+    for (std::size_t i = 0; mismatch.empty() && !guard.stopped() && i < readings; ++i) {
+      giveUpIfUnchecked(graph, graph.inReading(graph.mostProbableStart(), i),
+                        graph.inReading(graph.mostProbableGoal(), i), task.threshold, horizon,
+                        guard);
+    }
+  }
+  result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
+  if (guard.stopped()) {
+    result.reason = guard.reason();
+  } else {
+    explainInfeasible(graph, task.threshold, horizon, guard, result);
+    if (mismatch.empty() && query.count_rejections) {
+      // The proof looked at all that the start leads to.
+      for (const StateId state : reachableStates(graph, graph.mostProbableStart(), task.threshold,
+                                                 horizon, graph.numStates())) {
+        guard.note(state);
+      }
+    }
+  }
+  result.rejections = traceRejections(
+      graph,
+      reachableStates(graph, graph.mostProbableStart(), task.threshold, horizon, kTracedStates),
+      task.threshold);
+  return result;
+}
+
 }  // namespace
 
 BeliefPlanner::BeliefPlanner(const BeliefPlannerOptions& options) : options_(options) {
@@ -157,71 +230,8 @@ BeliefPlanner::BeliefPlanner(const BeliefPlannerOptions& options) : options_(opt
 }
 
 PlanResult BeliefPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const bool hard = options_.hard_symbols;
-  const BeliefTask task{
-      graph,
-      hard ? only(graph.mostProbableStart()) : sparseStartBelief(graph, graph.initialBelief()),
-      hard ? only(graph.mostProbableGoal()) : sparseStateBelief(graph, graph.problem().goal),
-      options_.legality_threshold};
-  const double discount = 1 - options_.step_discount;
-  const std::string mismatch = frozenMismatch(graph);
-  const double frozen = hard && !mismatch.empty() ? 0 : graph.frozenAgreement();
-
-  // With hard symbols the other objects are taken as most probably read too.
-  const std::size_t readings = hard ? 1 : graph.numReadings();
-  const std::size_t horizon = query.limits.horizon;
-
-  PlanResult result;
-  SearchGuard guard(query.limits);
-  bool goal_in_reach = false;
-  for (std::size_t i = 0; mismatch.empty() && !goal_in_reach && i < readings; ++i) {
-    goal_in_reach =
-        isInReach(graph, graph.inReading(graph.mostProbableStart(), i),
-                  graph.inReading(graph.mostProbableGoal(), i), task.threshold, horizon, guard);
-  }
-  Candidates found;
-  if (frozen > 0) found = candidates(task, query, options_, guard, result.statistics);
-  for (const ScoredSequence& sequence : found.sequences) {
-    Plan plan = judged(task, sequence.actions, options_.ranking, discount);
-    if (plan.probability > 0) result.plans.push_back(std::move(plan));
-  }
-  std::sort(result.plans.begin(), result.plans.end(), ranksBefore);
-
-  const double best = result.plans.empty() ? 0 : result.plans.front().probability;
-  const std::string obstacle = mismatch.empty()
-                                   ? "no legal and valid steps lead to the goal within " +
-                                         std::to_string(horizon) + " actions"
-                                   : mismatch;
-  const bool is_proved = goal_in_reach && !guard.stopped();
-  if (best > 0 && (is_proved || best >= options_.min_probability)) {
-    result.status = PlanStatus::kSolved;
-    if (guard.stopped()) result.reason = guard.reason() + "; the best plans found so far";
-    if (!goal_in_reach) {
-      result.reason = obstacle + "; planned for a less probable reading of the pictures";
-    }
-    result.rejections =
-        traceRejections(graph, likelyStates(task, result.plans.front().actions), task.threshold);
-    return result;
-  }
-  result.plans.clear();
-  if (!guard.stopped()) {
-    giveUpIfLeftOut(found, goal_in_reach, options_, horizon, guard);
-    for (std::size_t i = 0; mismatch.empty() && !guard.stopped() && i < readings; ++i) {
-      giveUpIfUnchecked(graph, graph.inReading(graph.mostProbableStart(), i),
-                        graph.inReading(graph.mostProbableGoal(), i), task.threshold, horizon,
-                        guard);
-    }
-  }
-  result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
-  result.reason = guard.stopped() ? guard.reason() : obstacle;
-  if (!guard.stopped() && mismatch.empty()) {
-    explainInfeasible(graph, task.threshold, horizon, guard, result);
-  }
-  result.rejections = traceRejections(
-      graph,
-      reachableStates(graph, graph.mostProbableStart(), task.threshold, horizon, kTracedStates),
-      task.threshold);
-  return result;
+  return withTally(graph, query, options_.legality_threshold,
+                   [&](SearchGuard& guard) { return answer(graph, query, options_, guard); });
 }
 
 }  // namespace conceptplan

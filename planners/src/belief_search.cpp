@@ -53,6 +53,7 @@ class BeliefSearch {
       if (hasEnoughPaths(belief, entry.length)) continue;
       if (!guard_.expand(statistics)) break;
       expanded_lengths_[belief].push_back(entry.length);
+      for (const Mass& part : beliefs_[belief]) guard_.note(part.state);
       expand(entry.node, statistics);
     }
     if (guard_.stopped()) takeBestSoFar(found);

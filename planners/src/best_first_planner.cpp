@@ -25,7 +25,7 @@ PlanResult BestFirstPlanner::search(const SymbolGraph& graph, const PlanQuery& q
     };
     if (options_.guidance == Guidance::kNone) return paths([](StateId) { return PathRank{0}; });
     if (options_.guidance == Guidance::kProjections) {
-      return paths(ProjectionHeuristic(graph, task.goal, successors));
+      return paths(ProjectionHeuristic(graph, task.goal, successors, &task.guard));
     }
     const auto distances = distancesToGoal(graph.numStates(), task.start, task.goal,
                                            std::cref(successors), task.guard, task.statistics);

@@ -48,7 +48,7 @@ std::optional<std::vector<StatePath>> bestPath(std::size_t num_states, StateId s
     const Open way = next.value;
     const auto rank = static_cast<PathRank>(next.key);
     if (rank != reached[way.state].rank) continue;  // a better one came by
-    if (!guard.expand(statistics)) return std::vector<StatePath>();
+    if (!guard.expand(statistics, way.state)) return std::vector<StatePath>();
     if (way.state == goal) return std::vector{reached.pathBetween(start, goal)};
     if (rank > kMostRank || way.length >= longest) return std::nullopt;
     steps.forEach(way.state, [&](const Successor& step) {

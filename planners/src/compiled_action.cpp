@@ -56,7 +56,8 @@ class JointOutcomes {
 }  // namespace
 
 CompiledAction::CompiledAction(const ActionTables& tables, const SymbolIndex& states,
-                               const ConceptCardinality& cardinality, const Symbols& fixed) {
+                               const ConceptCardinality& cardinality, const Symbols& fixed,
+                               SearchGuard& guard) {
   std::vector<std::size_t> changed;  // concepts
   ConceptSet depends{};
   for (std::size_t k = 0; k < kNumConcepts; ++k) {
@@ -68,6 +69,7 @@ CompiledAction::CompiledAction(const ActionTables& tables, const SymbolIndex& st
   }
   JointOutcomes joint;
   ranges_ = {{depends, cardinality}, fixed, [&](const Symbols& target) {
+               if (!guard.goesOn()) return Range{0, 0};
                joint.reset();
                for (const std::size_t k : changed) {
                  joint.extend(tables.effects[k][target].outcomes, target[k], states.stride(k));

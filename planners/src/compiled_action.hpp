@@ -14,8 +14,9 @@ class CompiledAction {
  public:
   /// @param states the number of a state's symbols
   /// @param fixed the target's symbols of the concepts that are not part of the states
+  /// @param guard once it has been stopped, the action has no use
   CompiledAction(const ActionTables& tables, const SymbolIndex& states,
-                 const ConceptCardinality& cardinality, const Symbols& fixed);
+                 const ConceptCardinality& cardinality, const Symbols& fixed, SearchGuard& guard);
 
   /// Pr[a | Omega]; 0 where the action has no effect that is defined.
   double legality(const Symbols& target) const { return legality_[target]; }

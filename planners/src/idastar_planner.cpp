@@ -18,7 +18,7 @@ class IteratedDeepening {
   IteratedDeepening(const PathTask& task, const StateSteps& successors)
       : task_(task),
         successors_(successors),
-        heuristic_(task.graph, task.goal, successors),
+        heuristic_(task.graph, task.goal, successors, &task.guard),
         searched_(task.graph.numStates()) {}
 
   /// Nothing if there is no path within the horizon, or a limit struck before one was found.
@@ -60,7 +60,7 @@ class IteratedDeepening {
         })) {
       return;
     }
-    if (!task_.guard.expand(task_.statistics)) return;
+    if (!task_.guard.expand(task_.statistics, state)) return;
     records.push_back(now);
     if (state == task_.goal) {
       best_ = path_;

@@ -7,16 +7,21 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "belief_check.hpp"
 #include "joint_search.hpp"
 #include "option_range.hpp"
 #include "path_rank.hpp"
+#include "rejection_counter.hpp"
 #include "scene_readings.hpp"
 
 namespace conceptplan {
 namespace {
+
+/// States around the start whose rejections are told of when there is no plan.
+constexpr std::size_t kTracedStates = 64;
 
 void checkProblem(const JointProblem& problem, const ConceptCardinality& cardinality) {
   if (problem.targets.empty()) throw std::invalid_argument("the problem has no targets");
@@ -82,6 +87,71 @@ Plan planOf(const JointSpace& space, const JointProblem& problem, const JointPat
   return plan;
 }
 
+/// The start and the states that the steps of a path lead to, each once.
+std::vector<JointState> statesAlong(const JointSpace& space, const JointPath& path) {
+  std::vector<JointState> states{space.start()};
+  for (const JointSuccessor& step : path.steps) {
+    const bool known = std::find(states.begin(), states.end(), step.state) != states.end();
+    if (!known) states.push_back(step.state);
+  }
+  return states;
+}
+
+/// The states that steps lead to from the start, itself first, by number of steps.
+std::vector<JointState> statesAround(JointSpace& space, std::size_t most) {
+  std::vector<JointState> states{space.start()};
+  std::unordered_set<JointState> known{space.start()};
+  std::vector<JointSuccessor> next;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    space.successors(states[i], next);
+    for (const JointSuccessor& step : next) {
+      if (states.size() == most) return states;
+      if (known.insert(step.state).second) states.push_back(step.state);
+    }
+  }
+  return states;
+}
+
+RejectionTally tallyOf(JointSpace& space, const std::vector<JointState>& expanded) {
+  RejectionCounter counter;
+  for (const JointState state : expanded) {
+    space.forEachRejection(state, [&](const Rejection& rejection) { counter.add(rejection); });
+  }
+  return {expanded.size(), counter.counts()};
+}
+
+/// Tells why there is no plan, which objects are to blame and how near the targets get together.
+/// @param expanded all that the start leads to, where there is no contradiction
+void explainInfeasible(JointSpace& space, const JointSearchOptions& search,
+                       std::vector<JointState> expanded, SearchGuard& guard, PlanResult& result) {
+  result.reason = space.contradiction();
+  result.blocking = space.blocking(guard);
+  space.measureNearness(guard);
+  std::vector<JointPath> paths;
+  if (result.reason.empty()) {
+    result.reason = "no legal and valid steps lead all targets to their goals within " +
+                    std::to_string(search.horizon) + " actions";
+  } else if (!guard.stopped()) {
+    // No goal that can be reached is nearer than this one.
+    const JointState wanted = space.goal();
+    const JointState aim = space.nearestAlone(guard);
+    space.aimAt(aim, guard);
+    if (!guard.stopped()) paths = bestJointPaths(space, search, guard, result.statistics, expanded);
+    space.aimAt(wanted, guard);
+    if (!paths.empty()) expanded = {aim};
+  }
+  if (guard.stopped()) {
+    result.reason += "; how near the targets get is not known: " + guard.reason();
+    return;
+  }
+  const auto nearest = std::min_element(
+      expanded.begin(), expanded.end(),
+      [&](JointState a, JointState b) { return space.nearness(a) < space.nearness(b); });
+  for (std::size_t i = 0; i < space.numTargets(); ++i) {
+    result.nearest.push_back(space.symbols(*nearest, i));
+  }
+}
+
 }  // namespace
 
 JointPlanner::JointPlanner(const JointPlannerOptions& options) : options_(options) {
@@ -103,7 +173,8 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
   }
   PlanResult result;
   SearchGuard guard(query.limits);
-  std::optional<JointSpace> made = JointSpace::make(model, problem, validity, rules, guard);
+  std::optional<JointSpace> made =
+      JointSpace::make(model, problem, validity, rules, guard, result.statistics);
   if (!made) {
     result.status = *guard.stopped();
     result.reason = guard.reason();
@@ -115,16 +186,19 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
       std::min(query.limits.horizon, kMostSteps / problem.targets.size()) * problem.targets.size(),
       options_.guided, options_.greedy};
   std::vector<JointPath> paths;
+  std::vector<JointState> expanded;
   if (space.contradiction().empty()) {
-    paths = bestJointPaths(space, search, guard, result.statistics);
+    paths = bestJointPaths(space, search, guard, result.statistics, expanded);
   }
   if (!paths.empty() && query.top > 1) {
     // That there is no way shows soonest when one is asked for; so the others are asked for now.
     search.top = query.top;
-    std::vector<JointPath> more = bestJointPaths(space, search, guard, result.statistics);
+    std::vector<JointPath> more = bestJointPaths(space, search, guard, result.statistics, expanded);
     if (!more.empty()) paths = std::move(more);
   }
-  result.statistics.validity_checks = space.validityChecks();
+  if (query.count_rejections && !expanded.empty()) {
+    result.ruled_out = tallyOf(space, expanded);
+  }
   if (!paths.empty()) {
     const double certainty =
         stillCertainty(model, problem, compile_options) * targetCertainty(space, problem);
@@ -142,11 +216,15 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
                     " validity checks failed of states over which one may lead";
   } else {
     result.status = PlanStatus::kInfeasible;
-    result.reason = space.contradiction().empty()
-                        ? "no legal and valid steps lead all targets to their goals within " +
-                              std::to_string(search.horizon) + " actions"
-                        : space.contradiction();
+    explainInfeasible(space, search, expanded, guard, result);
   }
+  const std::vector<JointState> told =
+      paths.empty() ? statesAround(space, kTracedStates) : statesAlong(space, paths.front());
+  for (const JointState state : told) {
+    space.forEachRejection(
+        state, [&](const Rejection& rejection) { result.rejections.push_back(rejection); });
+  }
+  result.statistics.validity_checks = space.validityChecks();
   return result;
 }
 

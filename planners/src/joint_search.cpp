@@ -57,8 +57,10 @@ class JointSearch {
   JointSearch(JointSpace& space, const JointSearchOptions& options)
       : space_(space), options_(options) {}
 
-  std::vector<JointPath> run(SearchGuard& guard, SearchStatistics& statistics) {
+  std::vector<JointPath> run(SearchGuard& guard, SearchStatistics& statistics,
+                             std::vector<JointState>& expanded) {
     std::vector<JointPath> found;
+    expanded.clear();
     if (bound(space_.start()) == kOutOfReach) return found;
     nodes_.push_back({.state = space_.start()});
     sequences_of_.assign(space_.numTargets(), 0);
@@ -70,8 +72,9 @@ class JointSearch {
       const JointState state = nodes_[node].state;
       if (isSuperseded(node)) continue;
       if (!guard.expand(statistics)) break;
-      nodes_[node].expanded_before =
-          std::exchange(last_expanded_.try_emplace(state, kNone).first->second, node);
+      const auto [last, is_new] = last_expanded_.try_emplace(state, kNone);
+      if (is_new) expanded.push_back(state);
+      nodes_[node].expanded_before = std::exchange(last->second, node);
       if (state == space_.goal()) found.push_back(pathTo(node));
       if (nodes_[node].length == options_.horizon) continue;
       space_.successors(state, next);
@@ -155,8 +158,9 @@ class JointSearch {
 }  // namespace
 
 std::vector<JointPath> bestJointPaths(JointSpace& space, const JointSearchOptions& options,
-                                      SearchGuard& guard, SearchStatistics& statistics) {
-  return JointSearch(space, options).run(guard, statistics);
+                                      SearchGuard& guard, SearchStatistics& statistics,
+                                      std::vector<JointState>& expanded) {
+  return JointSearch(space, options).run(guard, statistics, expanded);
 }
 
 }  // namespace conceptplan

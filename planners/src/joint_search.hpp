@@ -27,7 +27,9 @@ struct JointSearchOptions {
 /// A* over states that are numbered as they are met. A state is expanded again for a path to it of
 /// other actions, or with fewer steps, until `top` paths no longer than it have been expanded
 /// there: whatever goes on from it goes on from each of them.
+/// @param expanded becomes the states that were expanded, each once, in the order of the search
 std::vector<JointPath> bestJointPaths(JointSpace& space, const JointSearchOptions& options,
-                                      SearchGuard& guard, SearchStatistics& statistics);
+                                      SearchGuard& guard, SearchStatistics& statistics,
+                                      std::vector<JointState>& expanded);
 
 }  // namespace conceptplan

@@ -16,9 +16,11 @@ constexpr std::size_t kCheckedAtOnce = 16;
 constexpr JointState kMostJointStates = std::numeric_limits<std::int64_t>::max();
 
 /// Whether a check has shown that it cannot be.
-bool isRuledOut(Invalidity cause) {
-  return cause != Invalidity::kNone && cause != Invalidity::kCheckFailed;
+bool isRuledOut(const Verdict& verdict) {
+  return !verdict.valid() && verdict.cause != Invalidity::kCheckFailed;
 }
+
+bool isNotRuledOut(const Verdict& verdict) { return !isRuledOut(verdict); }
 
 std::string nameOf(const TargetGoal& target) {
   return target.name.empty() ? "object " + std::to_string(target.object) : target.name;
@@ -28,9 +30,10 @@ std::string nameOf(const TargetGoal& target) {
 
 std::optional<JointSpace> JointSpace::make(const SymbolicModel& model, const JointProblem& problem,
                                            const StateValidity& validity, const StepRules& rules,
-                                           SearchGuard& guard) {
+                                           SearchGuard& guard, SearchStatistics& statistics) {
   JointSpace space(model, problem, validity);
   space.build(rules, guard);
+  statistics.validity_checks = space.validityChecks();
   if (guard.stopped()) return std::nullopt;
   return space;
 }
@@ -43,7 +46,9 @@ void JointSpace::build(const StepRules& rules, SearchGuard& guard) {
   std::vector<Symbols> still;
   for (std::size_t i = 0; i < problem_.objects.size(); ++i) {
     scene_.push_back(mostProbable(problem_.objects[i]));
-    if (!moves[i]) still.push_back(scene_.back());
+    if (moves[i]) continue;
+    still_.push_back(i);
+    still.push_back(scene_.back());
   }
   JointState states = 1;
   for (std::size_t i = 0; i < problem_.targets.size(); ++i) {
@@ -60,11 +65,15 @@ void JointSpace::build(const StepRules& rules, SearchGuard& guard) {
     checkStanding(i, still, guard);
     if (guard.stopped()) return;
   }
+  setRanksToGoal(guard);
+  if (!guard.stopped()) contradiction_ = findContradiction();
+}
+
+void JointSpace::setRanksToGoal(SearchGuard& guard) {
+  to_goal_.clear();
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    to_goal_.push_back(ranksToGoal(i, guard));
-    if (guard.stopped()) return;
+    to_goal_.push_back(ranksToGoal(i, isNotRuledOut, guard));
   }
-  contradiction_ = findContradiction();
 }
 
 void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& still,
@@ -89,32 +98,35 @@ void JointSpace::checkStanding(std::size_t target, const std::vector<Symbols>& s
     if (!guard.goesOn()) return;
     const std::size_t count = std::min(rest.size(), kCheckedAtOnce);
     validity_checks_ += count;
-    for (const Verdict& verdict :
-         validity_.checkAll(problem_.workbench, model_.grounding, rest.first(count), still)) {
-      standing.cause.push_back(verdict.cause);
-    }
+    const std::vector<Verdict> more =
+        validity_.checkAll(problem_.workbench, model_.grounding, rest.first(count), still);
+    standing.verdicts.insert(standing.verdicts.end(), more.begin(), more.end());
     rest = rest.subspan(count);
   }
   standing.is_counted.assign(asked.size(), false);
 }
 
-std::vector<PathRank> JointSpace::ranksToGoal(std::size_t target, SearchGuard& guard) const {
+std::vector<PathRank> JointSpace::ranksToGoal(std::size_t target,
+                                              const std::function<bool(const Verdict&)>& passable,
+                                              SearchGuard& guard) const {
   const JointTarget& moved = targets_[target];
   std::vector<StateEdge> edges;
   for (TargetState state = 0; state < moved.numStates(); ++state) {
     if (!guard.goesOn()) return {};
     for (const TargetStep& step : moved.possibleSteps(state)) {
-      if (isRuledOut(causeAt(target, step.next))) continue;
+      if (!passable(verdictAt(target, step.next))) continue;
       edges.push_back({StateId(state), StateId(step.next), rankOf(step.cost, 1)});
     }
   }
-  return leastCosts(moved.numStates(), StateId(part(goal_, target)), edges);
+  return leastCosts(moved.numStates(), StateId(part(goal_, target)), edges, guard);
 }
 
 std::string JointSpace::findContradiction() {
   std::string reason;
-  const auto add = [&reason](const std::string& sentence) {
+  std::size_t sentences = 0, shut_in = 0;
+  const auto add = [&](const std::string& sentence) {
     reason += (reason.empty() ? "" : "; ") + sentence;
+    ++sentences;
   };
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const TargetGoal& target = problem_.targets[i];
@@ -129,6 +141,7 @@ std::string JointSpace::findContradiction() {
     }
     if (!frozen && to_goal_[i][part(start_, i)] == kOutOfReach) {
       add(nameOf(target) + " cannot get to its goal, wherever the other targets are");
+      ++shut_in;
     }
     for (std::size_t j = 0; j < i; ++j) {
       const bool both_there =
@@ -138,6 +151,7 @@ std::string JointSpace::findContradiction() {
           " rule each other out");
     }
   }
+  objects_contradict_ = sentences > 0 && shut_in == sentences;
   return reason;
 }
 
@@ -152,31 +166,28 @@ PathRank JointSpace::bound(JointState state) const {
 }
 
 bool JointSpace::stands(std::size_t target, TargetState state) {
-  const Invalidity cause = causeAt(target, state);
-  if (cause == Invalidity::kCheckFailed) {
+  const Verdict& verdict = verdictAt(target, state);
+  if (verdict.cause == Invalidity::kCheckFailed) {
     Standing& views = standing_[target];
     const std::size_t view = views.view[state];
     if (!views.is_counted[view]) ++failed_checks_;
     views.is_counted[view] = true;
   }
-  return cause == Invalidity::kNone;
+  return verdict.valid();
 }
 
-Invalidity JointSpace::together(std::size_t a, TargetState state_a, std::size_t b,
-                                TargetState state_b) {
+const Verdict& JointSpace::together(std::size_t a, TargetState state_a, std::size_t b,
+                                    TargetState state_b) {
   if (a > b) return together(b, state_b, a, state_a);
   const std::uint64_t key =
-      standing_[a].view[state_a] * standing_[b].cause.size() + standing_[b].view[state_b];
-  const auto [entry, is_new] =
-      together_[a * targets_.size() + b].try_emplace(key, Invalidity::kNone);
+      standing_[a].view[state_a] * standing_[b].verdicts.size() + standing_[b].view[state_b];
+  const auto [entry, is_new] = together_[a * targets_.size() + b].try_emplace(key);
   if (is_new) {
     ++validity_checks_;
     const Symbols other = targets_[b].symbols(state_b);
-    entry->second =
-        validity_
-            .check(problem_.workbench, model_.grounding, targets_[a].symbols(state_a), {&other, 1})
-            .cause;
-    if (entry->second == Invalidity::kCheckFailed) ++failed_checks_;
+    entry->second = validity_.check(problem_.workbench, model_.grounding,
+                                    targets_[a].symbols(state_a), {&other, 1});
+    if (entry->second.cause == Invalidity::kCheckFailed) ++failed_checks_;
   }
   return entry->second;
 }
@@ -193,14 +204,18 @@ std::span<const TargetStep> JointSpace::steps(JointState state, std::size_t targ
   if (!watches) return moved.possibleSteps(part(state, target));
   const auto [entry, is_new] = watching_steps_[target].try_emplace(key);
   if (is_new) {
-    std::vector<Symbols> others = scene_;
-    for (std::size_t j = 0; j < targets_.size(); ++j) {
-      others[problem_.targets[j].object] = symbols(state, j);
-    }
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(problem_.targets[target].object));
-    entry->second = moved.steps(part(state, target), others);
+    entry->second = moved.steps(part(state, target), othersOf(state, target));
   }
   return entry->second;
+}
+
+std::vector<Symbols> JointSpace::othersOf(JointState state, std::size_t target) const {
+  std::vector<Symbols> others = scene_;
+  for (std::size_t j = 0; j < targets_.size(); ++j) {
+    others[problem_.targets[j].object] = symbols(state, j);
+  }
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(problem_.targets[target].object));
+  return others;
 }
 
 void JointSpace::successors(JointState state, std::vector<JointSuccessor>& next) {
@@ -211,7 +226,7 @@ void JointSpace::successors(JointState state, std::vector<JointSuccessor>& next)
       if (!stands(i, step.next)) continue;
       bool free = true;
       for (std::size_t j = 0; free && j < targets_.size(); ++j) {
-        free = j == i || together(i, step.next, j, part(state, j)) == Invalidity::kNone;
+        free = j == i || together(i, step.next, j, part(state, j)).valid();
       }
       if (free) next.push_back({i, step, state + step.next * stride_[i] - from * stride_[i]});
     }

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "blocking_objects.hpp"
+#include "conceptplan/planners/plan_result.hpp"
 #include "conceptplan/planners/search_guard.hpp"
 #include "conceptplan/planners/state_validity.hpp"
 #include "joint_target.hpp"
@@ -29,10 +32,11 @@ struct JointSuccessor {
 class JointSpace {
  public:
   /// Nothing if a limit strikes.
+  /// @param statistics gets the validity checks, also of what was cut off
   /// @throws std::invalid_argument if the joint states cannot be counted in 63 bits.
   static std::optional<JointSpace> make(const SymbolicModel& model, const JointProblem& problem,
                                         const StateValidity& validity, const StepRules& rules,
-                                        SearchGuard& guard);
+                                        SearchGuard& guard, SearchStatistics& statistics);
 
   std::size_t numTargets() const { return targets_.size(); }
   const JointTarget& target(std::size_t i) const { return targets_[i]; }
@@ -62,10 +66,39 @@ class JointSpace {
   /// Why there is no way to the goal, as far as it shows without a search; empty if it does not.
   std::string contradiction() const { return contradiction_; }
 
+  /// Calls `visit` with each step of each target that a check rules out in the state, by target,
+  /// then by action. The object of a collision is another target if nothing else is met.
+  void forEachRejection(JointState state, const std::function<void(const Rejection&)>& visit);
+
+  /// How far a state is from the goal; less is nearer.
+  struct Nearness {
+    std::size_t out_of_reach = 0;  ///< targets of which no steps lead to the goal, whatever is away
+    PathRank rank = 0;             ///< least, of the others, each by itself with nothing in its way
+    std::size_t different = 0;     ///< symbols
+
+    auto operator<=>(const Nearness&) const = default;
+  };
+  /// @pre `measureNearness` has come to its end.
+  Nearness nearness(JointState state) const;
+  /// Once the guard has been stopped it has not come to its end.
+  void measureNearness(SearchGuard& guard);
+
+  /// The state in which each target by itself gets nearest to its goal, the other targets out of
+  /// its way: by `nearness`, then by the fewest steps. No state in reach is nearer.
+  /// @pre as of `nearness` @param guard once it has been stopped, the state has no use
+  JointState nearestAlone(SearchGuard& guard) const;
+
+  /// Makes another state the goal. @param guard once it has been stopped, the space has no use
+  void aimAt(JointState goal, SearchGuard& guard);
+
+  /// The fewest objects that are no targets, by index, without which each target by itself could
+  /// get to its goal. Empty unless objects alone are the contradiction, and as `fewestBlocking`.
+  std::vector<std::size_t> blocking(SearchGuard& guard) const;
+
  private:
   struct Standing {
     std::vector<std::size_t> view;  ///< of each state: its number among those checked together
-    std::vector<Invalidity> cause;  ///< among the objects that are no targets, [views]
+    std::vector<Verdict> verdicts;  ///< among the objects that are no targets, [views]
     std::vector<bool> is_counted;   ///< in `failed_checks_`, [views]
   };
 
@@ -78,30 +111,45 @@ class JointSpace {
   /// What they make is incomplete once the guard has been stopped.
   void build(const StepRules& rules, SearchGuard& guard);
   void checkStanding(std::size_t target, const std::vector<Symbols>& still, SearchGuard& guard);
-  std::vector<PathRank> ranksToGoal(std::size_t target, SearchGuard& guard) const;
+  /// @param passable of the verdict of a state
+  std::vector<PathRank> ranksToGoal(std::size_t target,
+                                    const std::function<bool(const Verdict&)>& passable,
+                                    SearchGuard& guard) const;
+  void setRanksToGoal(SearchGuard& guard);
+  Nearness nearness(std::size_t target, TargetState state) const;
+  /// Fewest steps from the start of a target to each of its states with the other targets out of
+  /// its way, and some of the objects that are no targets taken away; kNotReached where there are
+  /// none.
+  std::vector<std::size_t> stepsAlone(std::size_t target, ObstacleSet removed,
+                                      SearchGuard& guard) const;
 
   std::string findContradiction();
-  Invalidity causeAt(std::size_t target, TargetState state) const {
-    return standing_[target].cause[standing_[target].view[state]];
+  const Verdict& verdictAt(std::size_t target, TargetState state) const {
+    return standing_[target].verdicts[standing_[target].view[state]];
   }
   bool stands(std::size_t target, TargetState state);
-  Invalidity together(std::size_t a, TargetState state_a, std::size_t b, TargetState state_b);
+  const Verdict& together(std::size_t a, TargetState state_a, std::size_t b, TargetState state_b);
+  /// Symbols of all objects but a target.
+  std::vector<Symbols> othersOf(JointState state, std::size_t target) const;
   std::span<const TargetStep> steps(JointState state, std::size_t target);
 
   const SymbolicModel& model_;
   const JointProblem& problem_;
   const StateValidity& validity_;
   std::vector<Symbols> scene_;
+  std::vector<std::size_t> still_;  // the objects that are no targets
   std::vector<JointTarget> targets_;
   std::vector<JointState> stride_;
   std::vector<Standing> standing_;
-  std::vector<std::vector<PathRank>> to_goal_;  // [targets][states]
+  std::vector<std::vector<PathRank>> to_goal_;       // [targets][states]
+  std::vector<std::vector<PathRank>> free_to_goal_;  // [targets][states], with nothing in the way
   JointState start_ = 0;
   JointState goal_ = 0;
   std::string contradiction_;
+  bool objects_contradict_ = false;  // and nothing else does
   std::size_t validity_checks_ = 0;
   std::size_t failed_checks_ = 0;
-  std::vector<std::unordered_map<std::uint64_t, Invalidity>> together_;  // [pairs of targets]
+  std::vector<std::unordered_map<std::uint64_t, Verdict>> together_;  // [pairs of targets]
   std::vector<std::unordered_map<JointState, std::vector<TargetStep>>>
       watching_steps_;  // [targets]
 };

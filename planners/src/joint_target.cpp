@@ -238,16 +238,20 @@ TargetState JointTarget::state(const Symbols& symbols) const {
   return static_cast<TargetState>(packed);
 }
 
+double JointTarget::legality(TargetState state, Action action,
+                             std::span<const Symbols> others) const {
+  const Surroundings surroundings{model_.grounding, symbols(state), others};
+  if (!model_.transitions.isDefined(action, surroundings)) return 0;
+  return model_.legality.probability(action, surroundings);
+}
+
 std::vector<TargetStep> JointTarget::steps(TargetState state,
                                            std::span<const Symbols> others) const {
   const Surroundings surroundings{model_.grounding, symbols(state), others};
   const OpenTypes none(model_.cardinality()[index(Concept::kType)], false);
   std::vector<TargetStep> steps;
   for (const Action action : kActions) {
-    if (!model_.transitions.isDefined(action, surroundings) ||
-        model_.legality.probability(action, surroundings) <= rules_.legality_threshold) {
-      continue;
-    }
+    if (!isLegal(legality(state, action, others))) continue;
     std::array<ConceptOutcomes, kNumConcepts> outcomes;
     std::array<const ConceptOutcomes*, kNumConcepts> next{};
     for (const Concept which : kConcepts) {

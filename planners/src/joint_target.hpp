@@ -59,6 +59,11 @@ class JointTarget {
   /// watches none of them, these are the steps themselves.
   std::span<const TargetStep> possibleSteps(TargetState state) const { return possible_[state]; }
 
+  /// Pr[a | Omega] among other objects with these symbols; 0 where the action has no effect that is
+  /// defined.
+  double legality(TargetState state, Action action, std::span<const Symbols> others) const;
+  bool isLegal(double probability) const { return probability > rules_.legality_threshold; }
+
   /// The steps among other objects with these symbols, in the order of `kActions`. Left out:
   /// actions whose legality does not exceed the threshold, and steps that change nothing.
   std::vector<TargetStep> steps(TargetState state, std::span<const Symbols> others) const;

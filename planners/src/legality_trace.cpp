@@ -1,42 +1,29 @@
 #include "legality_trace.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "blocking_objects.hpp"
 #include "conceptplan/domain/listed.hpp"
 #include "graph_tables.hpp"
 #include "projection_heuristic.hpp"
+#include "rejection_counter.hpp"
 
 namespace conceptplan {
 namespace {
 
 constexpr std::size_t kNotReached = std::numeric_limits<std::size_t>::max();
-/// Sets of objects are bits of one word; objects beyond are never taken away.
-constexpr std::size_t kMostObjects = 20;
-/// States looked at, in all, to find the blocking objects.
-constexpr std::size_t kMostVisits = 2'000'000;
-
 /// Scene index of the i-th object that is not the target.
 std::size_t sceneIndex(const SymbolGraph& graph, std::size_t other) {
   return other < graph.problem().initial.target ? other : other + 1;
 }
 
-/// Which of the objects other than the target are taken away.
-using ObjectSet = std::uint32_t;
-
 bool isValid(const Verdict& verdict) { return verdict.valid(); }
 
 bool isUnchecked(const Verdict& verdict) { return verdict.cause == Invalidity::kCheckFailed; }
-
-bool isPassable(const Verdict& verdict, ObjectSet removed) {
-  return verdict.valid() || (verdict.cause == Invalidity::kCollision &&
-                             verdict.object < kMostObjects && (removed >> verdict.object & 1) != 0);
-}
 
 /// Fewest actions from a state to each other one by legal actions and any outcomes, kNotReached if
 /// there is no way of at most so many, or if a limit strikes before one is found.
@@ -65,34 +52,14 @@ std::vector<std::size_t> actionsFrom(const SymbolGraph& graph, StateId from,
   return actions;
 }
 
-/// The objects that some state collides with.
-ObjectSet collidedObjects(const SymbolGraph& graph, StateId start) {
-  ObjectSet objects = 0;
-  for (std::size_t i = 0; i < graph.numStates(); ++i) {
-    const auto state = static_cast<StateId>(i);
-    const Verdict& verdict = graph.verdict(state);
-    if (graph.readingOf(state) == graph.readingOf(start) &&
-        verdict.cause == Invalidity::kCollision && verdict.object < kMostObjects) {
-      objects |= ObjectSet{1} << verdict.object;
-    }
-  }
-  return objects;
-}
-
-/// The subsets of a set by rising size, then by number.
-std::vector<ObjectSet> subsetsBySize(ObjectSet set) {
-  std::vector<ObjectSet> subsets;
-  for (ObjectSet subset = set; subset != 0; subset = (subset - 1) & set) subsets.push_back(subset);
-  std::sort(subsets.begin(), subsets.end(), [](ObjectSet a, ObjectSet b) {
-    return std::pair(std::popcount(a), a) < std::pair(std::popcount(b), b);
-  });
-  return subsets;
-}
-
 /// The fewest objects without which the start leads to the goal; empty if not found.
-ObjectSet blockingObjects(const SymbolGraph& graph, StateId start, StateId goal,
-                          double legality_threshold, SearchGuard& guard) {
-  const auto leads_without = [&](ObjectSet removed) {
+ObstacleSet blockingObjects(const SymbolGraph& graph, StateId start, StateId goal,
+                            double legality_threshold, SearchGuard& guard) {
+  ObstacleSet collided = 0;
+  for (const Verdict& verdict : graph.tables().readings[graph.readingOf(start)].verdicts) {
+    collided |= collidedObject(verdict);
+  }
+  const auto leads_without = [&](ObstacleSet removed) {
     const auto passable = [removed](const Verdict& verdict) {
       return isPassable(verdict, removed);
     };
@@ -100,15 +67,7 @@ ObjectSet blockingObjects(const SymbolGraph& graph, StateId start, StateId goal,
            actionsFrom(graph, start, legality_threshold, kNotReached, passable,
                        guard)[index(goal)] != kNotReached;
   };
-  const ObjectSet all = collidedObjects(graph, start);
-  if (all == 0 || !leads_without(all)) return 0;
-  std::size_t visits = graph.numStates();
-  for (const ObjectSet subset : subsetsBySize(all)) {
-    visits += graph.numStates();
-    if (visits > kMostVisits || !guard.goesOn()) return 0;
-    if (leads_without(subset)) return subset;
-  }
-  return 0;
+  return fewestBlocking(collided, graph.numStates(), leads_without, guard);
 }
 
 /// Of the states reached within the horizon, the one from which the concepts, each by itself, need
@@ -118,7 +77,8 @@ std::optional<StateId> nearestReached(const SymbolGraph& graph, StateId goal,
                                       double legality_threshold,
                                       const std::vector<std::size_t>& actions, std::size_t horizon,
                                       SearchGuard& guard) {
-  const ProjectionHeuristic distance(graph, goal, anyOutcomeSuccessors(graph, legality_threshold));
+  const ProjectionHeuristic distance(graph, goal, anyOutcomeSuccessors(graph, legality_threshold),
+                                     &guard);
   const Symbols wanted = graph.symbols(goal);
   StateId nearest{};
   std::tuple<PathCost, int, std::size_t> least{kOutOfReach, std::numeric_limits<int>::max(), 0};
@@ -146,6 +106,28 @@ std::string differences(const Symbols& a, const Symbols& b) {
   return listed(concepts);
 }
 
+/// Calls `visit` with each action that a legality check rules out in the state.
+template <typename Visitor>
+void forEachRejection(const SymbolGraph& graph, StateId state, double legality_threshold,
+                      const Visitor& visit) {
+  const StateActions at(graph, state);
+  for (const Action action : kActions) {
+    const double legality = at.legality(action);
+    if (legality <= legality_threshold) {
+      visit(Rejection{graph.symbols(state), action, Invalidity::kNone, std::nullopt, legality});
+      continue;
+    }
+    const Verdict& verdict = graph.verdict(at.transitions(action).front().state);
+    if (verdict.valid()) continue;
+    Rejection rejection{graph.symbols(state), action, verdict.cause, std::nullopt,
+                        verdict.clearance_m};
+    if (verdict.cause == Invalidity::kCollision) {
+      rejection.object = sceneIndex(graph, verdict.object);
+    }
+    visit(rejection);
+  }
+}
+
 }  // namespace
 
 std::vector<Rejection> traceRejections(const SymbolGraph& graph, std::span<const StateId> states,
@@ -155,25 +137,28 @@ std::vector<Rejection> traceRejections(const SymbolGraph& graph, std::span<const
   for (const StateId state : states) {
     if (done[index(state)]) continue;
     done[index(state)] = true;
-    const StateActions at(graph, state);
-    for (const Action action : kActions) {
-      const double legality = at.legality(action);
-      if (legality <= legality_threshold) {
-        rejections.push_back(
-            {graph.symbols(state), action, Invalidity::kNone, std::nullopt, legality});
-        continue;
-      }
-      const Verdict& verdict = graph.verdict(at.transitions(action).front().state);
-      if (verdict.valid()) continue;
-      Rejection rejection{graph.symbols(state), action, verdict.cause, std::nullopt,
-                          verdict.clearance_m};
-      if (verdict.cause == Invalidity::kCollision) {
-        rejection.object = sceneIndex(graph, verdict.object);
-      }
-      rejections.push_back(rejection);
-    }
+    forEachRejection(graph, state, legality_threshold,
+                     [&](const Rejection& rejection) { rejections.push_back(rejection); });
   }
   return rejections;
+}
+
+PlanResult withTally(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
+                     const std::function<PlanResult(SearchGuard&)>& answer) {
+  std::vector<bool> expanded(query.count_rejections ? graph.numStates() : 0, false);
+  SearchGuard guard(query.limits, query.count_rejections ? &expanded : nullptr);
+  PlanResult result = answer(guard);
+  RejectionTally tally;
+  RejectionCounter counter;
+  for (std::size_t i = 0; i < expanded.size(); ++i) {
+    if (!expanded[i]) continue;
+    ++tally.states;
+    forEachRejection(graph, static_cast<StateId>(i), legality_threshold,
+                     [&](const Rejection& rejection) { counter.add(rejection); });
+  }
+  tally.counts = counter.counts();
+  if (tally.states > 0) result.ruled_out = std::move(tally);
+  return result;
 }
 
 std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
@@ -231,35 +216,33 @@ void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std:
                        SearchGuard& guard, PlanResult& result) {
   const StateId start = graph.mostProbableStart();
   const StateId goal = graph.mostProbableGoal();
-  result.reason =
-      "no legal and valid steps lead to the goal within " + std::to_string(horizon) + " actions";
+  const std::string mismatch = frozenMismatch(graph);
+  result.reason = mismatch.empty() ? outOfReach(horizon) : mismatch;
   const std::vector<std::size_t> actions =
       actionsFrom(graph, start, legality_threshold, kNotReached, isValid, guard);
   if (guard.stopped()) return;
-  if (actions[index(goal)] <= horizon) {
+  if (mismatch.empty() && actions[index(goal)] <= horizon) {
     result.reason += " unless an action has an outcome that is not its most probable one";
     return;
   }
   const auto nearest = nearestReached(graph, goal, legality_threshold, actions, horizon, guard);
   if (!nearest) return;
-  result.nearest = graph.symbols(*nearest);
+  result.nearest = {graph.symbols(*nearest)};
+  if (!mismatch.empty()) return;
   if (actions[index(goal)] != kNotReached) {
     result.reason += "; it takes at least " + std::to_string(actions[index(goal)]);
     return;
   }
-  const ObjectSet blocking = blockingObjects(graph, start, goal, legality_threshold, guard);
-  std::vector<std::string> numbers;
-  for (std::size_t other = 0; other < kMostObjects; ++other) {
-    if ((blocking >> other & 1) == 0) continue;
-    result.blocking.push_back(sceneIndex(graph, other));
-    numbers.push_back(std::to_string(result.blocking.back()));
-  }
-  if (!numbers.empty()) {
-    result.reason += "; without object" + std::string(numbers.size() > 1 ? "s " : " ") +
-                     listed(numbers) + " there would be a way";
-  }
   result.reason += "; what is in reach differs from the goal at least in " +
-                   differences(*result.nearest, graph.symbols(goal));
+                   differences(result.nearest.front(), graph.symbols(goal));
+  const ObstacleSet blocking = blockingObjects(graph, start, goal, legality_threshold, guard);
+  for (std::size_t other = 0; other < kMostObjects; ++other) {
+    if ((blocking >> other & 1) != 0) result.blocking.push_back(sceneIndex(graph, other));
+  }
+}
+
+std::string outOfReach(std::size_t horizon) {
+  return "no legal and valid steps lead to the goal within " + std::to_string(horizon) + " actions";
 }
 
 std::string frozenMismatch(const SymbolGraph& graph) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,11 @@ namespace conceptplan {
 /// most probable next state. Each state counts once.
 std::vector<Rejection> traceRejections(const SymbolGraph& graph, std::span<const StateId> states,
                                        double legality_threshold);
+
+/// The answer under a guard of the query's limits, with what was ruled out in all states that the
+/// guard was told of as expanded, if the query asks for it.
+PlanResult withTally(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
+                     const std::function<PlanResult(SearchGuard&)>& answer);
 
 /// The states that legal actions and valid outcomes lead to from a state, itself first, by number
 /// of actions; at most `most` of them and of at most `horizon` actions.
@@ -35,14 +41,18 @@ void giveUpIfUnchecked(const SymbolGraph& graph, StateId start, StateId goal,
 /// empty if there are none.
 std::string frozenMismatch(const SymbolGraph& graph);
 
+/// "no legal and valid steps lead to the goal within 24 actions".
+std::string outOfReach(std::size_t horizon);
+
 /// Tells why the goal is out of reach and how near the target gets to it, by all outcomes of all
 /// legal actions from the most probable start: fills `reason`, `blocking` and `nearest` of the
-/// result. For a task without a `frozenMismatch`.
+/// result.
 ///
 /// The blocking objects are the fewest without which the goal would be in reach, however many
 /// actions that took; none are named if the goal would be out of reach without any object, or if
 /// the search for them grew too long. A state that meets several objects counts for the one that
-/// its verdict names. Once a limit strikes, the reason alone is told.
+/// its verdict names. Where a `frozenMismatch` is the reason, none are, and what is nearest is so
+/// by the concepts that can change. Once a limit strikes, the reason alone is told.
 void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,
                        SearchGuard& guard, PlanResult& result);
 

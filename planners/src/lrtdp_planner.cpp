@@ -49,7 +49,7 @@ class LabeledTrials {
 
   /// Sets the state's value to that of its best action.
   GoalMdp::Choice update(StateId state) {
-    if (!task_.guard.expand(task_.statistics)) return {};
+    if (!task_.guard.expand(task_.statistics, state)) return {};
     const GoalMdp::Choice choice = mdp_.best(state, values_);
     values_[index(state)] = choice.value;
     return choice;
@@ -63,7 +63,7 @@ class LabeledTrials {
     std::vector<StateId> open{root};
     std::vector<StateId> closed;
     listed_[index(root)] = true;
-    while (!open.empty() && task_.guard.expand(task_.statistics)) {
+    while (!open.empty() && task_.guard.expand(task_.statistics, open.back())) {
       const StateId state = open.back();
       open.pop_back();
       closed.push_back(state);

@@ -33,6 +33,7 @@ class Simulation {
         exploration_(exploration),
         horizon_(task.query.limits.horizon),
         start_(task.start),
+        guard_(task.guard),
         random_(stableHash({task.query.seed})) {}
 
   /// One run from the start: through the tree, one new node, then behind it.
@@ -41,7 +42,10 @@ class Simulation {
     std::optional<StateId> state = start_;
     while (state && *state != mdp_.goal() && steps.size() < horizon_) {
       const auto [node, is_new] = tree_.try_emplace(*state);
-      if (is_new) break;
+      if (is_new) {
+        guard_.note(*state);
+        break;
+      }
       const std::optional<Action> action = chosen(*state, node->second);
       if (!action) break;
       steps.emplace_back(*state, *action);
@@ -95,6 +99,7 @@ class Simulation {
   double exploration_;
   std::size_t horizon_;
   StateId start_;
+  SearchGuard& guard_;
   std::mt19937_64 random_;
   Tree tree_;
 };

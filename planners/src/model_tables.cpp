@@ -37,7 +37,7 @@ bool isAboutOthers(const ContextFeature& feature) {
 }  // namespace
 
 ActionTables::ActionTables(const SymbolicModel& model, Action action, const Surroundings& among,
-                           const ConceptSet& changeable, double min_share)
+                           const ConceptSet& changeable, double min_share, SearchGuard& guard)
     // Whether an object is absent does not depend on the target.
     : is_defined(model.transitions.isDefined(action, among)) {
   Surroundings here = among;
@@ -47,7 +47,7 @@ ActionTables::ActionTables(const SymbolicModel& model, Action action, const Surr
   }
   legality = {{depends, model.cardinality()}, among.target, [&](const Symbols& target) {
                 here.target = target;
-                return is_defined ? model.legality.probability(action, here) : 0;
+                return is_defined && guard.goesOn() ? model.legality.probability(action, here) : 0;
               }};
   for (const Concept which : kConcepts) {
     if (!changeable[index(which)]) continue;
@@ -58,6 +58,7 @@ ActionTables::ActionTables(const SymbolicModel& model, Action action, const Surr
     }
     effects[index(which)] = {
         {depends, model.cardinality()}, among.target, [&](const Symbols& target) {
+          if (!guard.goesOn()) return SymbolEffect{};
           here.target = target;
           return effectOf(model.transitions.distribution(action, which, here),
                           index(target[index(which)]), min_share);

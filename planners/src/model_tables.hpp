@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "conceptplan/domain/model/symbolic_model.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 #include "symbol_table.hpp"
 
 namespace conceptplan {
@@ -27,8 +28,9 @@ struct ActionTables {
   /// @param among the other objects, and the target's symbols of the concepts that stay.
   /// @param changeable the concepts whose symbol may be another one than in `among`.
   /// @param min_share outcomes with a smaller share of the most probable one are left out.
+  /// @param guard once it has been stopped, the tables have no use
   ActionTables(const SymbolicModel& model, Action action, const Surroundings& among,
-               const ConceptSet& changeable, double min_share);
+               const ConceptSet& changeable, double min_share, SearchGuard& guard);
 
   /// Whether the action changes the concept with more than that probability.
   bool changes(Concept which, double tolerance) const;

@@ -11,26 +11,21 @@ namespace {
 /// States around the start whose rejections are told of when there is no plan.
 constexpr std::size_t kTracedStates = 64;
 
-}  // namespace
-
-PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
-                       const PathFinder& paths) {
+PlanResult answer(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
+                  const PathFinder& paths, SearchGuard& guard) {
   PlanResult result;
-  SearchGuard guard(query.limits);
   const PathTask task{
       graph, query, graph.mostProbableStart(), graph.mostProbableGoal(), guard, result.statistics};
-  const std::string mismatch = frozenMismatch(graph);
-  const std::vector<StatePath> found = mismatch.empty() ? paths(task) : std::vector<StatePath>();
+  const bool is_possible = frozenMismatch(graph).empty();
+  const std::vector<StatePath> found = is_possible ? paths(task) : std::vector<StatePath>();
   if (found.empty()) {
-    if (!guard.stopped() && mismatch.empty()) {
+    if (!guard.stopped() && is_possible) {
       giveUpIfUnchecked(graph, task.start, task.goal, legality_threshold, query.limits.horizon,
                         guard);
     }
     result.status = guard.stopped().value_or(PlanStatus::kInfeasible);
     if (guard.stopped()) {
       result.reason = guard.reason();
-    } else if (!mismatch.empty()) {
-      result.reason = mismatch;
     } else {
       explainInfeasible(graph, legality_threshold, query.limits.horizon, guard, result);
     }
@@ -56,6 +51,15 @@ PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double 
   along.insert(along.end(), found.front().states.begin(), found.front().states.end());
   result.rejections = traceRejections(graph, along, legality_threshold);
   return result;
+}
+
+}  // namespace
+
+PlanResult planByPaths(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
+                       const PathFinder& paths) {
+  return withTally(graph, query, legality_threshold, [&](SearchGuard& guard) {
+    return answer(graph, query, legality_threshold, paths, guard);
+  });
 }
 
 }  // namespace conceptplan

@@ -74,7 +74,7 @@ std::optional<std::vector<StateEdge>> reachedEdges(std::size_t num_states, State
   seen[index(start)] = true;
   for (std::size_t i = 0; i < open.size(); ++i) {
     const StateId from = open[i];
-    if (!guard.expand(statistics)) return std::nullopt;
+    if (!guard.expand(statistics, from)) return std::nullopt;
     successors(from, next);
     statistics.generated += next.size();
     for (const Successor& step : next) {
@@ -126,7 +126,7 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
     open.pop();
     const auto [state, length] = std::pair(tree[way].state, tree[way].length);
     if (expanded.has(options.top, state, length)) continue;
-    if (!guard.expand(statistics)) break;
+    if (!guard.expand(statistics, state)) break;
     expanded.add(state, length);
     if (state == goal) found.push_back(tree.path(way));
     if (length == options.horizon) continue;
@@ -157,13 +157,13 @@ std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_t
 }
 
 std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
-                                 std::span<const StateEdge> edges) {
+                                 std::span<const StateEdge> edges, SearchGuard& guard) {
   const EdgesByEnd into(num_states, edges);
   std::vector<PathCost> distance(num_states, kOutOfReach);
   RadixQueue<StateId> open(TieOrder::kNewestFirst);
   distance[index(goal)] = 0;
   open.push(0, goal);
-  while (!open.empty()) {
+  while (!open.empty() && guard.goesOn()) {
     const auto [key, state] = open.pop();
     const auto far = static_cast<PathCost>(key);
     if (far != distance[index(state)]) continue;  // a better way came by
@@ -184,7 +184,9 @@ std::optional<std::vector<PathCost>> distancesToGoal(std::size_t num_states, Sta
                                                      SearchStatistics& statistics) {
   const auto edges = reachedEdges(num_states, start, successors, guard, statistics);
   if (!edges) return std::nullopt;
-  return leastCosts(num_states, goal, *edges);
+  std::vector<PathCost> distances = leastCosts(num_states, goal, *edges, guard);
+  if (guard.stopped()) return std::nullopt;
+  return distances;
 }
 
 }  // namespace conceptplan

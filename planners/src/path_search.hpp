@@ -86,9 +86,10 @@ struct StateEdge {
 
 /// The least cost from each state to the goal along the edges, [num_states], kFarthest where it is
 /// more than that, kOutOfReach where there is no way. In the unit of the edges' costs. Source: E.
-/// W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph.
+/// W. Dijkstra, 1959, doi:10.1007/BF01386390, on the reversed graph. Incomplete once the guard has
+/// been stopped.
 std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
-                                 std::span<const StateEdge> edges);
+                                 std::span<const StateEdge> edges, SearchGuard& guard);
 
 /// The least cost from each state to the goal, [num_states]; kOutOfReach where there is no way and
 /// for states that the start does not lead to. Nothing if a limit strikes. Source: `leastCosts`.

@@ -55,13 +55,14 @@ SymbolIndex openConcepts(const GraphTables& graph, const SymbolIndex& context) {
 }  // namespace
 
 ProjectionHeuristic::ProjectionHeuristic(const SymbolGraph& graph, StateId goal,
-                                         const StateSteps& successors)
+                                         const StateSteps& successors, SearchGuard* guard)
     : graph_(graph.tables()), reading_(graph_.readingOf(goal)) {
   std::array<std::vector<SymbolStep>, kNumConcepts> projected;
   const std::size_t first_state = reading_ * graph_.states.size();
   for (const StateSteps::ContextSteps& all : successors.ofReading(reading_)) {
     const SymbolIndex open = openConcepts(graph_, all.contexts);
     for (std::size_t context = 0; context < all.contexts.size(); ++context) {
+      if (guard != nullptr && !guard->goesOn()) break;
       const Symbols in_context = all.contexts.symbols(context, graph_.fixed);
       for (std::uint32_t i = all.first[context]; i < all.first[context + 1]; ++i) {
         const StateSteps::Step& step = all.steps[i];

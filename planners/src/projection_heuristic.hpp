@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "conceptplan/planners/search_guard.hpp"
 #include "successors.hpp"
 
 namespace conceptplan {
@@ -31,7 +32,9 @@ class ProjectionHeuristic {
  public:
   /// Looks, in the reading of the other objects that the goal is in, for one state from which each
   /// step of each context leads to a valid one. It need not be valid itself: a start is not always.
-  ProjectionHeuristic(const SymbolGraph& graph, StateId goal, const StateSteps& successors);
+  /// @param guard once it has been stopped, the heuristic has no use; null: nothing stops it
+  ProjectionHeuristic(const SymbolGraph& graph, StateId goal, const StateSteps& successors,
+                      SearchGuard* guard = nullptr);
 
   /// kOutOfReach where some concept cannot reach the goal's symbol; keeps a reference to the graph.
   PathCost operator()(StateId state) const {

@@ -9,18 +9,19 @@ constexpr double kLongestTimeout_s = 1e6;
 
 }  // namespace
 
-SearchGuard::SearchGuard(const SearchLimits& limits)
+SearchGuard::SearchGuard(const SearchLimits& limits, std::vector<bool>* expanded)
     : limits_(limits),
+      expanded_(expanded),
       deadline_(std::chrono::steady_clock::now() +
                 std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                     std::chrono::duration<double>(std::min(limits.timeout_s, kLongestTimeout_s)))) {
 }
 
-bool SearchGuard::goesOn() {
+bool SearchGuard::mayGoOn() {
   if (stopped_) return false;
   if (isCancelled()) {
     stop(PlanStatus::kLimit, "cancelled");
-  } else if (asked_++ % kClockInterval == 0) {
+  } else if (asked_ % kClockInterval == 1) {
     stopIfLate();
   }
   return !stopped_;

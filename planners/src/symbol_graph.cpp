@@ -8,11 +8,15 @@
 
 #include "belief_check.hpp"
 #include "conceptplan/planners/belief_update.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 #include "graph_tables.hpp"
 #include "scene_readings.hpp"
 
 namespace conceptplan {
 namespace {
+
+/// States whose validity is asked for between two looks at the limits.
+constexpr std::size_t kCheckedAtOnce = 1024;
 
 void checkProblem(const SymbolicProblem& problem, const ConceptCardinality& cardinality) {
   const SymbolicScene& scene = problem.initial;
@@ -29,11 +33,11 @@ void checkProblem(const SymbolicProblem& problem, const ConceptCardinality& card
 using ActionsOfReading = std::array<std::shared_ptr<const ActionTables>, kNumActions>;
 
 /// What the model says of the actions in each reading; actions that do not depend on the other
-/// objects are shared.
+/// objects are shared. Incomplete once the guard has been stopped.
 std::vector<ActionsOfReading> actionTables(const SymbolicModel& model,
                                            const std::vector<SceneReading>& readings,
                                            const Symbols& target, const ConceptSet& changeable,
-                                           double min_share) {
+                                           double min_share, SearchGuard& guard) {
   std::vector<ActionsOfReading> tables(readings.size());
   for (const Action action : kActions) {
     const bool is_shared = !dependsOnOthers(model, action);
@@ -43,7 +47,7 @@ std::vector<ActionsOfReading> actionTables(const SymbolicModel& model,
               ? tables.front()[index(action)]
               : std::make_shared<const ActionTables>(
                     model, action, Surroundings{model.grounding, target, readings[i].others},
-                    changeable, min_share);
+                    changeable, min_share, guard);
     }
   }
   return tables;
@@ -79,14 +83,15 @@ void setStates(const std::vector<ActionsOfReading>& tables, const ConceptSet& ch
   }
 }
 
-void compileActions(const std::vector<ActionsOfReading>& tables, GraphTables& graph) {
+void compileActions(const std::vector<ActionsOfReading>& tables, GraphTables& graph,
+                    SearchGuard& guard) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     for (std::size_t action = 0; action < kNumActions; ++action) {
       const bool is_shared = i > 0 && tables[i][action] == tables.front()[action];
       graph.readings[i].actions[action] =
           is_shared ? graph.readings.front().actions[action]
                     : std::make_shared<const CompiledAction>(*tables[i][action], graph.states,
-                                                             graph.cardinality, graph.fixed);
+                                                             graph.cardinality, graph.fixed, guard);
     }
   }
 }
@@ -94,7 +99,7 @@ void compileActions(const std::vector<ActionsOfReading>& tables, GraphTables& gr
 /// One check serves all states that agree in the concepts on which validity depends.
 void checkStates(const SymbolicModel& model, const Workbench& workbench,
                  const StateValidity& validity, const std::vector<SceneReading>& readings,
-                 GraphTables& graph) {
+                 GraphTables& graph, SearchGuard& guard) {
   ConceptSet checked = validity.dependsOn();
   for (std::size_t k = 0; k < kNumConcepts; ++k) checked[k] = checked[k] && graph.states.has(k);
   graph.checked = {checked, graph.cardinality};
@@ -104,7 +109,15 @@ void checkStates(const SymbolicModel& model, const Workbench& workbench,
   graph.valid.reserve(graph.states.size() * readings.size());
   for (std::size_t i = 0; i < readings.size(); ++i) {
     std::vector<Verdict>& verdicts = graph.readings[i].verdicts;
-    verdicts = validity.checkAll(workbench, model.grounding, targets, readings[i].others);
+    verdicts.reserve(targets.size());
+    for (std::span<const Symbols> rest = targets; !rest.empty();) {
+      if (!guard.goesOn()) return;
+      const std::size_t count = std::min(rest.size(), kCheckedAtOnce);
+      const std::vector<Verdict> more =
+          validity.checkAll(workbench, model.grounding, rest.first(count), readings[i].others);
+      verdicts.insert(verdicts.end(), more.begin(), more.end());
+      rest = rest.subspan(count);
+    }
     graph.states.forEach(graph.fixed, [&](const Symbols& target) {
       graph.valid.push_back(verdicts[graph.checked(target)].valid() ? 1 : 0);
     });
@@ -182,6 +195,15 @@ std::vector<double> SymbolGraph::stateBelief(const SymbolBelief& belief) const {
 
 SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
                     const StateValidity& validity, const CompileOptions& options) {
+  SearchLimits none;
+  none.timeout_s = std::numeric_limits<double>::infinity();
+  SearchGuard guard(none);
+  return *compile(model, problem, validity, guard, options);
+}
+
+std::optional<SymbolGraph> compile(const SymbolicModel& model, const SymbolicProblem& problem,
+                                   const StateValidity& validity, SearchGuard& guard,
+                                   const CompileOptions& options) {
   checkProblem(problem, model.cardinality());
   if (options.max_readings == 0) throw std::invalid_argument("max_readings is 0, expected >= 1");
   SymbolGraph graph;
@@ -198,10 +220,14 @@ SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
   for (const Concept which : kConcepts) {
     changeable[index(which)] = model.transitions.changes(which, options.frozen_tolerance);
   }
-  const auto actions = actionTables(model, readings, tables->fixed, changeable, options.min_share);
+  const auto actions =
+      actionTables(model, readings, tables->fixed, changeable, options.min_share, guard);
+  if (guard.stopped()) return std::nullopt;
   setStates(actions, changeable, options.frozen_tolerance, *tables);
-  compileActions(actions, *tables);
-  checkStates(model, problem.initial.workbench, validity, readings, *tables);
+  compileActions(actions, *tables, guard);
+  if (guard.stopped()) return std::nullopt;
+  checkStates(model, problem.initial.workbench, validity, readings, *tables, guard);
+  if (guard.stopped()) return std::nullopt;
   for (std::size_t k = 0; k < kNumConcepts; ++k) {
     if (tables->mutability[k] == Mutability::kFrozenHere) {
       graph.frozen_agreement_ *= agreement(graph.initialBelief()[k], problem.goal[k]);

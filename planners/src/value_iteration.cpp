@@ -33,7 +33,7 @@ std::optional<std::vector<double>> valueIteration(const GoalMdp& mdp, double eps
   for (double change = 1; change > last_change;) {
     change = 0;
     for (const StateId state : order) {
-      if (!guard.expand(statistics)) return std::nullopt;
+      if (!guard.expand(statistics, state)) return std::nullopt;
       const double value = mdp.settledValue(state, values);
       change = std::max(change, std::abs(value - values[index(state)]));
       values[index(state)] = value;

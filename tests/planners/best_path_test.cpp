@@ -215,7 +215,8 @@ TEST(BestPath, CannotTellOfCostsBeyondWhatARankHolds) {
 TEST(LeastCosts, AreCutOffAtTheFarthest) {
   const std::vector<StateEdge> edges{{StateId{0}, StateId{1}, kFarthest - 1},
                                      {StateId{1}, StateId{2}, kFarthest - 1}};
-  EXPECT_THAT(leastCosts(4, StateId{2}, edges),
+  SearchGuard guard(SearchLimits{});
+  EXPECT_THAT(leastCosts(4, StateId{2}, edges, guard),
               ElementsAre(kFarthest, kFarthest - 1, 0, kOutOfReach));
 }
 

@@ -27,7 +27,8 @@ StepRules rules() {
 
 JointSpace spaceOf(const JointWorld& world, const StateValidity& validity) {
   SearchGuard guard(SearchLimits{});
-  return JointSpace::make(world.model, world.problem, validity, rules(), guard).value();
+  SearchStatistics statistics;
+  return JointSpace::make(world.model, world.problem, validity, rules(), guard, statistics).value();
 }
 
 /// The start and all states that it leads to.

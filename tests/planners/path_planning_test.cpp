@@ -9,6 +9,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::tinyModel;
 using testing::tinyProblem;
 using testing::tinySymbols;
@@ -57,7 +58,7 @@ TEST(PathPlanning, NoPathAfterTheGuardStoppedIsGivingUp) {
   });
   EXPECT_EQ(result.status, PlanStatus::kLimit);
   EXPECT_EQ(result.reason, "no idea left");
-  EXPECT_FALSE(result.nearest);
+  EXPECT_THAT(result.nearest, IsEmpty());
 }
 
 TEST(PathPlanning, WhatNothingHereChangesIsRefusedWithoutASearch) {
@@ -68,6 +69,14 @@ TEST(PathPlanning, WhatNothingHereChangesIsRefusedWithoutASearch) {
       });
   EXPECT_EQ(result.status, PlanStatus::kInfeasible);
   EXPECT_EQ(result.reason, "COLOR must change, and nothing here changes it");
+}
+
+TEST(PathPlanning, WhereNothingChangesOneConceptTheNearestIsSoByTheOthers) {
+  const PlanResult result = answer(graphTo(tinySymbols(0, 2, 0, 1)),
+                                   [](const PathTask&) { return std::vector<StatePath>(); });
+  EXPECT_EQ(result.reason, "COLOR must change, and nothing here changes it");
+  EXPECT_THAT(result.nearest, ElementsAre(tinySymbols(0, 2, 0, 0)));
+  EXPECT_THAT(result.blocking, IsEmpty());
 }
 
 }  // namespace

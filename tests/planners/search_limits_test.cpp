@@ -11,8 +11,10 @@
 #include "conceptplan/planners/joint_planner.hpp"
 #include "joint_space.hpp"
 #include "legality_trace.hpp"
+#include "path_search.hpp"
 #include "planners/grid_world.hpp"
 #include "planners/joint_world.hpp"
+#include "projection_heuristic.hpp"
 
 namespace conceptplan {
 namespace {
@@ -20,6 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// A bench of 28,800 states, on which a plan takes 122 actions.
 SymbolGraph largeBench() {
@@ -80,11 +83,11 @@ TEST(SearchLimits, AnExplanationIsCutShortByACancel) {
   PlanResult result;
   explainInfeasible(graph, 0.01, 5, cancelled.guard(), result);
   EXPECT_EQ(result.reason, "no legal and valid steps lead to the goal within 5 actions");
-  EXPECT_FALSE(result.nearest);
+  EXPECT_THAT(result.nearest, IsEmpty());
   SearchGuard guard(SearchLimits{});
   explainInfeasible(graph, 0.01, 5, guard, result);
   EXPECT_THAT(result.reason, HasSubstr("it takes at least 122"));
-  EXPECT_TRUE(result.nearest);
+  EXPECT_THAT(result.nearest, Not(IsEmpty()));
 }
 
 TEST(SearchLimits, ABeliefSearchEndsWhenAnotherThreadCancelsIt) {
@@ -135,7 +138,41 @@ TEST(SearchLimits, ACancelEndsTheMakingOfAJointSpace) {
   EXPECT_EQ(result.status, PlanStatus::kLimit);
   EXPECT_EQ(result.reason, "cancelled");
   EXPECT_EQ(result.statistics.expanded, 0u);
+  EXPECT_EQ(result.statistics.validity_checks, validity.checks);
   EXPECT_LT(validity.checks, 1000u);
+}
+
+TEST(SearchLimits, ACancelEndsCompilation) {
+  const testing::GridWorld world = testing::gridWorld(100, 100, 1, 0, 1);
+  const CancellingValidity validity;
+  SearchLimits limits;
+  limits.cancel = &validity.cancel;
+  SearchGuard guard(limits);
+  EXPECT_FALSE(compile(world.model, world.problem, validity, guard));
+  EXPECT_EQ(guard.reason(), "cancelled");
+  EXPECT_GT(validity.checks, 0u);
+  EXPECT_LT(validity.checks, 100u * 100u);
+  Cancelled cancelled;
+  const CancellingValidity never_asked;
+  EXPECT_FALSE(compile(world.model, world.problem, never_asked, cancelled.guard()));
+  EXPECT_EQ(never_asked.checks, 0u);
+}
+
+TEST(SearchLimits, NoHeuristicAfterACancel) {
+  const SymbolGraph graph = largeBench();
+  const StateSteps steps = likelySuccessors(graph, 0.01, 0.01);
+  Cancelled cancelled;
+  const ProjectionHeuristic heuristic(graph, graph.mostProbableGoal(), steps, &cancelled.guard());
+  EXPECT_EQ(heuristic(graph.mostProbableStart()), kOutOfReach);
+  EXPECT_EQ(cancelled.guard().reason(), "cancelled");
+}
+
+TEST(SearchLimits, NoLeastCostsAfterACancel) {
+  const std::vector<StateEdge> edges{{StateId{0}, StateId{1}, 1}};
+  Cancelled cancelled;
+  EXPECT_EQ(leastCosts(2, StateId{1}, edges, cancelled.guard())[0], kOutOfReach);
+  SearchGuard guard(SearchLimits{});
+  EXPECT_EQ(leastCosts(2, StateId{1}, edges, guard)[0], 1);
 }
 
 TEST(SearchLimits, NoJointSpaceAfterItsTime) {
@@ -145,8 +182,10 @@ TEST(SearchLimits, NoJointSpaceAfterItsTime) {
   SearchLimits limits;
   limits.timeout_s = 1e-9;
   SearchGuard guard(limits);
+  SearchStatistics statistics;
   EXPECT_FALSE(JointSpace::make(world.model, world.problem, validity,
-                                {0.01, 1e-6, 1e-3, [](double) { return kNat; }}, guard));
+                                {0.01, 1e-6, 1e-3, [](double) { return kNat; }}, guard,
+                                statistics));
   EXPECT_EQ(guard.stopped(), PlanStatus::kTimeout);
 }
 

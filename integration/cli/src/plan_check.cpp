@@ -40,9 +40,9 @@ int checkPlan(const std::filesystem::path& plan_file, const std::string& scenari
   const CompiledScenario compiled = solver.compile(findScenario(scenario), model);
   PlanReplay replayed =
       replay(compiled.graph, plan.steps, determinisationOf(compiled.scenario, options));
-  if (replayed.failure) {
-    std::string& reason = replayed.failure->reason;
-    reason = namedReason(reason, objectNames(compiled.scenario, *compiled.model));
+  if (replayed.failure && replayed.failure->object) {
+    replayed.failure->reason =
+        explanation(*replayed.failure, objectNames(compiled.scenario, *compiled.model));
   }
   Console& console = session.console;
   console.printJson(toJson(plan, replayed));

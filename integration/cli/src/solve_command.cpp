@@ -135,7 +135,7 @@ int solveAll(const SolveCommandOptions& options, Session& session) {
       progress(log.numResults(), jobs.size());
     };
   });
-  const std::vector<Json> results = log.results();
+  std::vector<Json> results = log.results();
   if (options.format == Format::kCsv) writeFileAtomically(options.out, toCsv(results));
   if (options.format == Format::kOmplLog) {
     OmplLogHeading heading = headingHere(std::filesystem::path(options.out).stem().string());
@@ -148,6 +148,7 @@ int solveAll(const SolveCommandOptions& options, Session& session) {
   if (log.numResults() < jobs.size()) throw Interrupted{};
   log.finish();
   session.console.print(toTable(results));
+  for (Json& result : results) result.erase("trace");  // for files
   session.console.printJson({{"results", results}});
   return exitCodeOf(results);
 }

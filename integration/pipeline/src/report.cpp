@@ -54,12 +54,24 @@ void check(const Report& report) {
     throw std::invalid_argument("report: " + std::to_string(report.instances.size()) +
                                 " mask ids for " + std::to_string(count) + " objects");
   }
+  const auto checkRejected = [count](std::optional<std::size_t> object) {
+    if (object.value_or(0) < count) return;
+    throw std::invalid_argument("report: a rejection names object " + std::to_string(*object) +
+                                " of " + std::to_string(count));
+  };
   for (const Rejection& rejection : report.result.rejections) {
-    if (rejection.object.value_or(0) >= count) {
-      throw std::invalid_argument("report: a rejection names object " +
-                                  std::to_string(*rejection.object) + " of " +
-                                  std::to_string(count));
+    checkRejected(rejection.object);
+    checkRejected(rejection.moved);
+  }
+  if (report.result.ruled_out) {
+    for (const RejectionCount& ruled_out : report.result.ruled_out->counts) {
+      checkRejected(ruled_out.object);
     }
+  }
+  const std::size_t near = report.result.nearest.size();
+  if (near != 0 && near != std::max<std::size_t>(report.targets.size(), 1)) {
+    throw std::invalid_argument("report: the nearest symbols of " + std::to_string(near) +
+                                " targets of " + std::to_string(report.targets.size()));
   }
   for (const std::size_t object : report.result.blocking) {
     if (object >= count) {

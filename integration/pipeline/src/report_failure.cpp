@@ -19,7 +19,10 @@ std::string blockingSentence(const Report& report) {
   if (blocking.empty()) return {};
   std::vector<std::string> names;
   for (const std::size_t object : blocking) names.push_back(strong(objectName(report, object)));
-  return paragraph("Without " + listed(names) + " there would be a way" +
+  const std::string way = report.targets.empty()
+                              ? " there would be a way"
+                              : " there would be a way for each target, were the others not there";
+  return paragraph("Without " + listed(names) + way +
                    (blocking.size() > 1 ? "; without fewer objects there would be none." : "."));
 }
 
@@ -49,18 +52,41 @@ std::string row(const Report& report, const std::string& title, const Symbols& s
   return html + "</tr>";
 }
 
+/// "Cup 2: " where there are several targets.
+std::string targetPrefix(const Report& report, const TargetGoal& target) {
+  return report.targets.empty() ? "" : objectName(report, target.object) + ": ";
+}
+
+std::string nearestSentences(const Report& report) {
+  std::string html;
+  const std::vector<TargetGoal> targets = targetsOf(report);
+  for (std::size_t i = 0; i < report.result.nearest.size(); ++i) {
+    const std::string missed =
+        differences(report, report.result.nearest[i], mostProbable(targets[i].goal));
+    if (missed.empty()) continue;
+    html += paragraph(targetPrefix(report, targets[i]) +
+                      "The nearest to the goal that is in reach has " + missed + ".");
+  }
+  return html;
+}
+
 std::string nearestTable(const Report& report) {
-  const Symbols goal = mostProbable(report.problem.goal);
   std::string html =
       "<div class=\"scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">Target</th>";
   for (const Concept which : kConcepts) {
     html += "<th scope=\"col\">" + std::string(heading(which)) + "</th>";
   }
-  const SymbolicScene& scene = report.problem.initial;
-  return html + "</tr></thead><tbody>" +
-         row(report, "Start", mostProbable(scene.objects[scene.target]), goal) +
-         row(report, "Nearest in reach", *report.result.nearest, goal) +
-         row(report, "Goal", goal, goal) + "</tbody></table></div>";
+  html += "</tr></thead><tbody>";
+  const std::vector<TargetGoal> targets = targetsOf(report);
+  for (std::size_t i = 0; i < report.result.nearest.size(); ++i) {
+    const Symbols start = mostProbable(report.problem.initial.objects[targets[i].object]);
+    const Symbols goal = mostProbable(targets[i].goal);
+    const std::string of = targetPrefix(report, targets[i]);
+    html += row(report, of + "Start", start, goal) +
+            row(report, of + "Nearest in reach", report.result.nearest[i], goal) +
+            row(report, of + "Goal", goal, goal);
+  }
+  return html + "</tbody></table></div>";
 }
 
 std::string rejectionSentence(const Report& report) {
@@ -81,16 +107,10 @@ std::string rejectionSentence(const Report& report) {
 std::string failureCard(const Report& report) {
   const PlanResult& result = report.result;
   std::string html = blockingSentence(report);
-  if (result.nearest) {
-    const std::string missed =
-        differences(report, *result.nearest, mostProbable(report.problem.goal));
-    if (!missed.empty()) {
-      html += paragraph("The nearest to the goal that is in reach has " + missed + ".");
-    }
-  }
+  html += nearestSentences(report);
   if (html.empty()) html = paragraph(reasonText(report));
   html += rejectionSentence(report);
-  if (result.nearest) html += nearestTable(report);
+  if (!result.nearest.empty()) html += nearestTable(report);
   return "<div class=\"card why\">" + html + "</div>";
 }
 

@@ -123,15 +123,17 @@ std::string way(const Report& report, const Plan& plan) {
   return svg;
 }
 
-// A cross where the target gets nearest to its goal.
-std::string nearestMark(const Report& report) {
-  if (!report.result.nearest) return {};
-  const Point at =
-      center(report.problem.initial.workbench, report.grounding.cell(*report.result.nearest));
+// A cross where each target is when they get nearest to their goals.
+std::string nearestMarks(const Report& report) {
   const auto line = [](double x, double y) { return decimal(x, 1) + " " + decimal(y, 1); };
-  return "<path class=\"nearest\" d=\"M" + line(at.x - 9, at.y - 9) + "L" +
-         line(at.x + 9, at.y + 9) + "M" + line(at.x + 9, at.y - 9) + "L" +
-         line(at.x - 9, at.y + 9) + "\"/>";
+  std::string svg;
+  for (const Symbols& nearest : report.result.nearest) {
+    const Point at = center(report.problem.initial.workbench, report.grounding.cell(nearest));
+    svg += "<path class=\"nearest\" d=\"M" + line(at.x - 9, at.y - 9) + "L" +
+           line(at.x + 9, at.y + 9) + "M" + line(at.x + 9, at.y - 9) + "L" +
+           line(at.x - 9, at.y + 9) + "\"/>";
+  }
+  return svg;
 }
 
 /// The refined motion, dotted where the target is lifted.
@@ -173,7 +175,7 @@ std::string workbenchMap(const Report& report) {
     svg += "<rect class=\"goal-mark\"" + attribute("x", goal.x - 28) + attribute("y", goal.y - 28) +
            attribute("width", 56) + attribute("height", 56) + attribute("rx", 8) + "/>";
   }
-  svg += things(report) + nearestMark(report);
+  svg += things(report) + nearestMarks(report);
   if (report.motion) svg += motionPath(report, *report.motion);
   if (!report.result.plans.empty()) svg += way(report, report.result.plans.front());
   return svg + thingNames(report) + "</svg>";

@@ -125,7 +125,9 @@ std::string motionCaption(const Report& report) {
 std::string failureCaption(const Report& report) {
   return std::string(report.result.blocking.empty() ? ""
                                                     : ", what is in the way has a thick edge") +
-         (report.result.nearest ? ", the cross is the nearest to the goal that is in reach." : ".");
+         (report.result.nearest.empty() ? "."
+                                        : ", the cross is the nearest to the goal that is in "
+                                          "reach.");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -74,15 +75,16 @@ std::string headingOf(const Report& report, const Reason& reason) {
 std::string millimetres(double length_m) { return decimal(1000 * length_m, 0); }
 
 // "35 to 47 mm" or "up to 47 mm": how far steps of which the lowest clearance is below 0 overlap.
-std::string depth(const Group& group) {
-  const std::string most = millimetres(-group.lowest) + "&nbsp;mm";
-  if (group.highest >= 0) return "up to " + most;
-  const std::string least = millimetres(-group.highest) + "&nbsp;mm";
-  return least == most ? most : millimetres(-group.highest) + " to " + most;
+std::string depth(double lowest, double highest) {
+  const std::string most = millimetres(-lowest) + "&nbsp;mm";
+  if (highest >= 0) return "up to " + most;
+  const std::string least = millimetres(-highest) + "&nbsp;mm";
+  return least == most ? most : millimetres(-highest) + " to " + most;
 }
 
 std::string collisionText(const Group& group) {
-  if (group.lowest < 0) return " would bring the target " + depth(group) + " deep into it.";
+  if (group.lowest < 0)
+    return " would bring the target " + depth(group.lowest, group.highest) + " deep into it.";
   if (group.lowest > 0) {
     return " would bring the target to within " + decimal(1000 * group.lowest, 1) +
            "&nbsp;mm of it.";
@@ -103,31 +105,32 @@ std::string explanation(const Report& report, const Reason& reason, const Group&
       return times + collisionText(group);
     case Invalidity::kWorkbenchEdge:
       return times + " would bring part of the target over the edge" +
-             (group.lowest < 0 ? ", by " + depth(group) : "") + ".";
+             (group.lowest < 0 ? ", by " + depth(group.lowest, group.highest) : "") + ".";
     case Invalidity::kCheckFailed:
       return times + " counted as impossible, since geometry could not be decided.";
   }
   return {};
 }
 
-// In what a state differs from the start.
-std::string placeOf(const Report& report, const Symbols& state) {
+// In what the state of a target before a step differs from the start.
+std::string placeOf(const Report& report, const Rejection& rejection) {
   const SymbolicScene& scene = report.problem.initial;
-  const Symbols start = mostProbable(scene.objects[scene.target]);
+  const Symbols start = mostProbable(scene.objects[rejection.moved.value_or(scene.target)]);
   std::vector<std::string> texts;
   for (const Concept which : kConcepts) {
-    const SymbolId symbol = state[index(which)];
+    const SymbolId symbol = rejection.state[index(which)];
     if (symbol != start[index(which)]) texts.push_back(symbolName(report, which, symbol));
   }
-  return texts.empty() ? "as at the start" : listed(texts);
+  return (rejection.moved ? objectName(report, *rejection.moved) + ": " : "") +
+         (texts.empty() ? "as at the start" : listed(texts));
 }
 
-std::string causeOf(const Report& report, const Rejection& rejection) {
-  switch (rejection.cause) {
+std::string causeOf(const Report& report, Invalidity cause, std::optional<std::size_t> object) {
+  switch (cause) {
     case Invalidity::kNone:
       return "action threshold";
     case Invalidity::kCollision:
-      return "collision with " + objectName(report, rejection.object.value_or(0));
+      return "collision with " + objectName(report, object.value_or(0));
     case Invalidity::kWorkbenchEdge:
       return "edge of the workbench";
     case Invalidity::kCheckFailed:
@@ -152,19 +155,39 @@ std::string everyRejection(const Report& report) {
       "<th scope=\"col\">Ruled out by</th><th scope=\"col\" class=\"n\">Measure</th></tr></thead>"
       "<tbody>";
   for (const Rejection& rejection : rejections) {
-    html += "<tr><td>" + placeOf(report, rejection.state) + "</td><td>" + icon(rejection.action) +
-            " " + words(rejection.action) + "</td><td>" + causeOf(report, rejection) +
-            "</td><td class=\"n\">" + measureOf(rejection) + "</td></tr>";
+    html += "<tr><td>" + placeOf(report, rejection) + "</td><td>" + icon(rejection.action) + " " +
+            words(rejection.action) + "</td><td>" +
+            causeOf(report, rejection.cause, rejection.object) + "</td><td class=\"n\">" +
+            measureOf(rejection) + "</td></tr>";
   }
   return html + "</tbody></table></details>";
 }
 
-}  // namespace
+// What was ruled out over the whole search, by cause.
+std::string searchTable(const Report& report) {
+  if (!report.result.ruled_out) return {};
+  const RejectionTally& tally = *report.result.ruled_out;
+  std::string html =
+      "<p class=\"note\">Over all " + std::to_string(tally.states) +
+      (tally.states == 1 ? " state" : " states") +
+      " that the search expanded:</p><div class=\"card scroll\"><table class=\"search\"><thead>"
+      "<tr><th scope=\"col\">Ruled out by</th><th scope=\"col\" class=\"n\">Steps</th>"
+      "<th scope=\"col\" class=\"n\">Measure</th></tr></thead><tbody>";
+  for (const RejectionCount& count : tally.counts) {
+    const bool by_legality = count.cause == Invalidity::kNone;
+    const std::string measure = by_legality       ? percent(count.greatest) + " at most"
+                                : count.least < 0 ? depth(count.least, count.greatest) + " deep"
+                                                  : "";
+    html += "<tr><td>" + causeOf(report, count.cause, count.object) + "</td><td class=\"n\">" +
+            std::to_string(count.steps) + "</td><td class=\"n\">" + measure + "</td></tr>";
+  }
+  return html + "</tbody></table></div>";
+}
 
-std::string rejectionsSection(const Report& report) {
+std::string rejectionCards(const Report& report) {
   if (report.result.rejections.empty()) return {};
   std::string html =
-      "<section><h2>What was ruled out, and why</h2><p class=\"note\">Steps " +
+      "<p class=\"note\">Steps " +
       std::string(report.result.plans.empty() ? "around the start" : "beside the best plan") +
       " that a legality check refused. Each small map shows where the target stood: the darker "
       "the cell, the more steps.</p><div class=\"reasons\">";
@@ -173,7 +196,15 @@ std::string rejectionsSection(const Report& report) {
             "<div><h3>" + headingOf(report, reason) + "</h3><p>" +
             explanation(report, reason, group) + "</p></div></article>";
   }
-  return html + "</div>" + everyRejection(report) + "</section>";
+  return html + "</div>" + everyRejection(report);
+}
+
+}  // namespace
+
+std::string rejectionsSection(const Report& report) {
+  const std::string html = rejectionCards(report) + searchTable(report);
+  if (html.empty()) return {};
+  return "<section><h2>What was ruled out, and why</h2>" + html + "</section>";
 }
 
 }  // namespace conceptplan::report

@@ -15,7 +15,7 @@
 #include "conceptplan/domain/simulation/simulator.hpp"
 #include "conceptplan/fcl/fcl_validity.hpp"
 #include "conceptplan/pipeline/object_name.hpp"
-#include "named_reason.hpp"
+#include "conceptplan/planners/search_guard.hpp"
 
 namespace conceptplan {
 namespace {
@@ -201,14 +201,17 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
   query.top = static_cast<std::size_t>(scenario.planner.top);
   query.limits = options.limits;
   query.seed = options.seed;
+  query.count_rejections = true;
   search(solution, query, stage);
-  solution.result.reason = namedReason(solution.result, solution.names);
+  solution.result.reason = explanation(solution.result, solution.names);
   solution.times.search_ms = stage.lap();
 
   const bool several = !solution.targets.empty();
   if (scenario.refine_clearance_m && !several && !solution.result.plans.empty()) {
     RefinementOptions refinement;
     refinement.clearance_m = *scenario.refine_clearance_m;
+    refinement.timeout_s = options.limits.timeout_s;
+    refinement.cancel = options.limits.cancel;
     solution.refinement = Refiner(refinement)
                               .refine(motionTaskOf(solution.problem, model.symbolic().grounding,
                                                    solution.result.plans.front()));
@@ -287,9 +290,16 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
     throw InputError({scenario.fault("targets", "several targets need a planner for several")});
   const SearchStage search = [&](Solution& solution, const PlanQuery& query, Stopwatch& stage) {
     const FclValidity validity;
-    const SymbolGraph graph = compile(model.symbolic(), solution.problem, validity);
+    SearchGuard guard(query.limits);
+    const std::optional<SymbolGraph> graph =
+        compile(model.symbolic(), solution.problem, validity, guard);
     solution.times.compile_ms = stage.lap();
-    solution.result = planner.solve(graph, query);
+    if (graph) {
+      solution.result = planner.solve(*graph, query);
+    } else {
+      solution.result.status = *guard.stopped();
+      solution.result.reason = guard.reason() + " while the scenario was compiled";
+    }
   };
   return solveWith(search, scenario, model, options);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "action_schemas.hpp"
 #include "legality_trace.hpp"
@@ -11,29 +12,35 @@
 namespace conceptplan {
 namespace {
 
-/// Why a legality check rules the action out; empty if none does.
-std::string ruledOut(const SymbolGraph& graph, StateId state, Action action, double threshold) {
+constexpr std::string_view kMeets = "its most probable outcome meets ";
+
+/// The check that rules the action out; nothing if none does.
+std::optional<Rejection> ruledOut(const SymbolGraph& graph, StateId state, Action action,
+                                  double threshold) {
   const std::array<StateId, 1> states{state};
   for (const Rejection& rejection : traceRejections(graph, states, threshold)) {
-    if (rejection.action != action) continue;
-    std::ostringstream reason;
-    switch (rejection.cause) {
-      case Invalidity::kNone:
-        reason << "the action is not legal: its probability given the symbols is "
-               << rejection.value << ", not above " << threshold;
-        break;
-      case Invalidity::kCollision:
-        reason << "its most probable outcome meets object " << *rejection.object;
-        break;
-      case Invalidity::kWorkbenchEdge:
-        reason << "its most probable outcome is not wholly on the workbench";
-        break;
-      case Invalidity::kCheckFailed:
-        reason << "the validity of its most probable outcome cannot be checked";
-    }
-    return reason.str();
+    if (rejection.action == action) return rejection;
   }
-  return "";
+  return std::nullopt;
+}
+
+std::string reasonOf(const Rejection& rejection, double threshold) {
+  std::ostringstream reason;
+  switch (rejection.cause) {
+    case Invalidity::kNone:
+      reason << "the action is not legal: its probability given the symbols is " << rejection.value
+             << ", not above " << threshold;
+      break;
+    case Invalidity::kCollision:
+      reason << kMeets << "object " << *rejection.object;
+      break;
+    case Invalidity::kWorkbenchEdge:
+      reason << "its most probable outcome is not wholly on the workbench";
+      break;
+    case Invalidity::kCheckFailed:
+      reason << "the validity of its most probable outcome cannot be checked";
+  }
+  return reason.str();
 }
 
 /// What is wrong with a step's arguments; empty if nothing, or if it has none.
@@ -71,13 +78,15 @@ PlanReplay replayWith(const ActionSchemas& schemas, const SymbolGraph& graph,
   PlanReplay result;
   StateId state = graph.mostProbableStart();
   for (const PlanFileStep& step : steps) {
-    const auto fail = [&result](const std::string& reason) {
-      result.failure = ReplayFailure{result.states.size(), reason};
+    const auto fail = [&result](const std::string& reason,
+                                std::optional<std::size_t> object = std::nullopt) {
+      result.failure = ReplayFailure{result.states.size(), reason, object};
       return result;
     };
     const double threshold = determinisation.legality_threshold;
-    const std::string reason = ruledOut(graph, state, step.action, threshold);
-    if (!reason.empty()) return fail(reason);
+    if (const auto rejection = ruledOut(graph, state, step.action, threshold)) {
+      return fail(reasonOf(*rejection, threshold), rejection->object);
+    }
     const Transition& likeliest = graph.transitions(state, step.action).front();
     const std::string wrong = wrongArguments(
         step, schemas.arguments(step.action, graph.symbols(state), graph.symbols(likeliest.state)));
@@ -93,6 +102,11 @@ PlanReplay replayWith(const ActionSchemas& schemas, const SymbolGraph& graph,
 }
 
 }  // namespace
+
+std::string explanation(const ReplayFailure& failure, std::span<const std::string> names) {
+  if (!failure.object) return failure.reason;
+  return std::string(kMeets) + names[*failure.object];
+}
 
 PlanReplay replay(const SymbolGraph& graph, std::span<const PlanFileStep> steps,
                   const Determinisation& determinisation) {

@@ -16,7 +16,7 @@ class RandomWalk final : public Planner {
       StatePath walk;
       StateId here = task.start;
       while (here != task.goal) {
-        if (!task.guard.expand(task.statistics)) return {};
+        if (!task.guard.expand(task.statistics, here)) return {};
         if (walk.actions.size() == query.limits.horizon) {  // begin again
           walk = {};
           here = task.start;

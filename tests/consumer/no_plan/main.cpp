@@ -6,7 +6,7 @@
 using namespace conceptplan;
 
 void explain(const PlanResult& result) {
-  std::cout << name(result.status) << ": " << result.reason << '\n';
+  std::cout << name(result.status) << ": " << explanation(result) << '\n';
   for (const Rejection& step : result.rejections) {
     std::cout << "  " << name(step.action) << ": ";
     if (step.cause == Invalidity::kNone) std::cout << "Pr[action | symbols] is " << step.value;

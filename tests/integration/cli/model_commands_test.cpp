@@ -220,6 +220,7 @@ TEST_F(ModelCommands, InfeasibleExits1AndInvalid2) {
   const CommandResult infeasible = runCommand({"solve", mixed, "--json"});
   EXPECT_EQ(infeasible.exit_code, 1) << infeasible.error;
   const json result = json::parse(infeasible.out)["results"][0];
+  EXPECT_FALSE(result.contains("trace"));
   EXPECT_EQ(result["status"], "infeasible");
   EXPECT_TRUE(result["evaluation"].is_null());
   EXPECT_THAT(result["reason"].get<std::string>(), Not(IsEmpty()));

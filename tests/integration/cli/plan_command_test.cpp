@@ -96,6 +96,13 @@ TEST_F(PlanCommand, TheTraceTellsWhyThereIsNoPlan) {
   }
   EXPECT_EQ(causes["legality"], 12);
   EXPECT_EQ(causes["collision"], 8);
+  // The target cannot leave its place, so the whole search saw no more than these.
+  EXPECT_EQ(trace["expansions"]["states"], 4);
+  std::map<std::string, int> counted;
+  for (const json& count : trace["expansions"]["ruled_out"]) {
+    counted[count["cause"].get<std::string>()] += count["steps"].get<int>();
+  }
+  EXPECT_EQ(counted, causes);
 
   const std::string page = report();
   EXPECT_THAT(page, HasSubstr("Without <strong>Lettuce 1</strong> there would be a way."));
@@ -112,10 +119,18 @@ TEST_F(PlanCommand, TheTraceTellsWhatWasRuledOutBesideAPlan) {
   EXPECT_TRUE(trace["nearest"].is_null());
 }
 
-TEST_F(PlanCommand, TheTraceOfSeveralTargetsHasTheThreshold) {
+TEST_F(PlanCommand, TheTraceOfSeveralTargetsTellsWhichOneEachStepMoves) {
   ASSERT_EQ(plan(CONCEPTPLAN_SCENARIOS "/two-targets/level3x2-0001").exit_code, 0);
-  EXPECT_EQ(result()["trace"].dump(),
-            R"({"blocking":[],"legality_threshold":0.01,"nearest":null,"rejections":[]})");
+  const json trace = result()["trace"];
+  EXPECT_EQ(trace["legality_threshold"], 0.01);
+  ASSERT_FALSE(trace["rejections"].empty());
+  for (const json& step : trace["rejections"]) {
+    EXPECT_THAT(step["moved_name"].get<std::string>(),
+                testing::EndsWith(" " + step["moved"].dump()));
+  }
+  EXPECT_GT(trace["expansions"]["states"], 0);
+  EXPECT_FALSE(trace["expansions"]["ruled_out"].empty());
+  EXPECT_THAT(report(), HasSubstr("states that the search expanded:"));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(ResultJson, TraceTellsWhatRuledStepsOut) {
       {state, Action::kMoveRight, Invalidity::kWorkbenchEdge, std::nullopt, 0},
       {state, Action::kMoveBack, Invalidity::kCheckFailed, std::nullopt, 0}};
   solution.result.blocking = {1};
-  solution.result.nearest = state;
+  solution.result.nearest = {state};
   solution.problem.goal = certain(state, kConceptCardinality);
   std::swap(solution.problem.goal[index(Concept::kColor)][5],
             solution.problem.goal[index(Concept::kColor)][0]);
@@ -102,7 +102,38 @@ TEST(ResultJson, TraceTellsWhatRuledStepsOut) {
                 symbols + R"(,"action":"move_back","cause":"check_failed"}])");
   EXPECT_EQ(trace["blocking"].dump(), R"([{"object":7,"name":"object 7"}])");
   EXPECT_EQ(trace["nearest"].dump(), R"({"symbols":)" + symbols + R"(,"differs_in":["color"]})");
+  EXPECT_TRUE(trace["expansions"].is_null());
   EXPECT_TRUE(failedJson(kKey, "bug")["trace"].is_null());
+
+  solution.result.ruled_out = RejectionTally{
+      3,
+      {{Invalidity::kNone, std::nullopt, 4, 0.25, 0.5}, {Invalidity::kCollision, 1, 2, -0.5, 0}}};
+  EXPECT_EQ(
+      resultJson(kKey, solution)["trace"]["expansions"].dump(),
+      R"({"states":3,"ruled_out":[{"cause":"legality","steps":4,"probability":[0.25,0.5]},)"
+      R"({"cause":"collision","object":7,"name":"object 7","steps":2,"depth_m":[0.0,0.5]}]})");
+}
+
+TEST(ResultJson, TraceTellsOfEachOfSeveralTargets) {
+  Solution solution = infeasible();
+  solution.instances = {4, 7};
+  solution.names = {"Cup 4", "Pot 7"};
+  const Symbols state{};
+  Symbols goal = state;
+  goal[index(Concept::kSize)] = SymbolId{1};
+  solution.targets = {{1, certain(goal, kConceptCardinality)},
+                      {0, certain(state, kConceptCardinality)}};
+  solution.result.nearest = {state, state};
+  solution.result.rejections = {{state, Action::kMoveLeft, Invalidity::kCollision, 0, -0.125, 1}};
+  const Json trace = resultJson(kKey, solution)["trace"];
+  EXPECT_EQ(trace["rejections"][0]["moved"], 7);
+  EXPECT_EQ(trace["rejections"][0]["moved_name"], "Pot 7");
+  EXPECT_EQ(trace["rejections"][0]["name"], "Cup 4");
+  ASSERT_EQ(trace["nearest"].size(), 2u);
+  EXPECT_EQ(trace["nearest"][0]["object"], 7);
+  EXPECT_EQ(trace["nearest"][0]["differs_in"].dump(), R"(["size"])");
+  EXPECT_EQ(trace["nearest"][1]["name"], "Cup 4");
+  EXPECT_TRUE(trace["nearest"][1]["differs_in"].empty());
 }
 
 TEST(ResultJson, EvaluationTellsSuccessOrItsCause) {

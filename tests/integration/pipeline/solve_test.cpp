@@ -43,7 +43,7 @@ TEST(SolveScenario, SaysWhyThereIsNoPlan) {
       solveScenario(shipped("infeasible-0001"), shippedModel(), BeliefPlanner());
   EXPECT_EQ(solution.result.status, PlanStatus::kInfeasible);
   EXPECT_THAT(solution.result.reason,
-              testing::HasSubstr("; without Lettuce 1 there would be a way; "));
+              testing::EndsWith("; without Lettuce 1 there would be a way"));
   EXPECT_THAT(solution.names, testing::ElementsAre("Lettuce 1", "Lettuce 2", "Tomato 3"));
   EXPECT_TRUE(solution.frames.empty());
 }

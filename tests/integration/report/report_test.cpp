@@ -145,8 +145,8 @@ TEST(Report, SaysWhatIsInTheWayAndHowNearTheTargetGets) {
   EXPECT_THAT(page, HasSubstr("3 by the action threshold, 3 by collision and 1 by the edge"));
   report.instances = {4, 5, 9};
   report.result.blocking = {1, 2};
-  report.result.nearest = mostProbable(report.problem.goal);
-  (*report.result.nearest)[index(Concept::kColor)] = SymbolId{0};
+  report.result.nearest = {mostProbable(report.problem.goal)};
+  report.result.nearest[0][index(Concept::kColor)] = SymbolId{0};
   page = renderReport(report);
   EXPECT_THAT(page, HasSubstr("Without <strong>Pot 5</strong> and <strong>Dyer 9</strong> there"));
   EXPECT_THAT(page, HasSubstr("in reach has red in place of <strong>blue</strong>."));
@@ -155,6 +155,47 @@ TEST(Report, SaysWhatIsInTheWayAndHowNearTheTargetGets) {
   EXPECT_EQ(count(page, "class=\"nearest\""), 1U);
   report.result.blocking = {3};
   EXPECT_THAT(whatIsThrownFor(report), HasSubstr("object 3 of 3 is said to be in the way"));
+}
+
+TEST(Report, TellsWhatWasRuledOutOverTheWholeSearch) {
+  Report report = sampleReport();
+  EXPECT_THAT(renderReport(report), Not(HasSubstr("that the search expanded")));
+  report.result.rejections.clear();
+  report.result.ruled_out = RejectionTally{12,
+                                           {{Invalidity::kNone, std::nullopt, 31, 0, 0.005},
+                                            {Invalidity::kCollision, 1, 7, -0.04, -0.02},
+                                            {Invalidity::kWorkbenchEdge, std::nullopt, 3, 0, 0}}};
+  const std::string page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("Over all 12 states that the search expanded:"));
+  EXPECT_THAT(page, HasSubstr("<td>action threshold</td><td class=\"n\">31</td>"
+                              "<td class=\"n\">0.5&nbsp;% at most</td>"));
+  EXPECT_THAT(page, HasSubstr("<td>collision with Pot 2</td><td class=\"n\">7</td>"
+                              "<td class=\"n\">20 to 40&nbsp;mm deep</td>"));
+  EXPECT_THAT(page, HasSubstr("<td>edge of the workbench</td><td class=\"n\">3</td>"
+                              "<td class=\"n\"></td>"));
+  report.result.ruled_out->counts[1].object = 3;
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("a rejection names object 3 of 3"));
+}
+
+TEST(Report, TellsOfEachOfSeveralTargetsHowNearItGets) {
+  Report report = sampleReport();
+  report.frames.clear();
+  report.result.plans.clear();
+  report.result.status = PlanStatus::kInfeasible;
+  report.targets = {{0, report.problem.goal}, {1, report.problem.initial.objects[1]}};
+  report.result.nearest = {mostProbable(report.problem.goal),
+                           mostProbable(report.problem.initial.objects[1])};
+  report.result.nearest[1][index(Concept::kColor)] = SymbolId{0};
+  report.result.blocking = {2};
+  report.result.rejections.back().moved = 1;
+  const std::string page = renderReport(report);
+  EXPECT_THAT(page, HasSubstr("Pot 2: The nearest to the goal that is in reach has red in place"));
+  EXPECT_THAT(page, HasSubstr("Pot 2: Nearest in reach"));
+  EXPECT_THAT(page, HasSubstr("there would be a way for each target, were the others not there"));
+  EXPECT_THAT(page, HasSubstr("<tr><td>Pot 2: "));
+  EXPECT_EQ(count(page, "class=\"nearest\""), 2U);
+  report.result.nearest.pop_back();
+  EXPECT_THAT(whatIsThrownFor(report), HasSubstr("the nearest symbols of 1 targets of 2"));
 }
 
 TEST(Report, CallsObjectsOfAnUnnamedTypeByTheirIdAlone) {

@@ -62,6 +62,9 @@ TEST(PlanReplay, NamesTheObjectThatIsMet) {
   ASSERT_TRUE(replayed.failure);
   EXPECT_EQ(replayed.failure->step, 0u);
   EXPECT_EQ(replayed.failure->reason, "its most probable outcome meets object 1");
+  EXPECT_EQ(replayed.failure->object, 1u);
+  const std::vector<std::string> names{"Cup 1", "Pot 4"};
+  EXPECT_EQ(explanation(*replayed.failure, names), "its most probable outcome meets Pot 4");
 }
 
 TEST(PlanReplay, ComparesTheArguments) {

@@ -37,8 +37,13 @@ class JointPlanner {
   /// cost of 52,776. Plans in which each target has the same actions count as one, given in its
   /// best order. A plan has at most `horizon` actions a target, and at most 131,071.
   /// `Plan::probability` is a lower bound: that all objects are as they were most probably read,
-  /// the goals too, and that each action has its most probable outcome. There are no rejections
-  /// and no nearest symbols. Thread-safe.
+  /// the goals too, and that each action has its most probable outcome. Thread-safe.
+  ///
+  /// Rejections are those of each target's own steps in a joint state; the object of a collision
+  /// may be another target. What is nearest is in reach of all targets together, by the least cost
+  /// to their goals if nothing were in their way; the reason says if a limit kept it unknown.
+  /// Objects are said to be blocking only where they keep targets from their goals wherever the
+  /// other targets are.
   ///
   /// @pre two objects are valid together whichever of them is asked about, which depends on the
   /// same concepts of both, and a scene is valid if its objects are so in pairs, as bodies are.

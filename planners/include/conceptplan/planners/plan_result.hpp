@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +16,12 @@ namespace conceptplan {
 enum class PlanStatus {
   kSolved,      ///< at least one plan
   kInfeasible,  ///< proved: there is no plan within the horizon
-  kLimit,       ///< gave up at the limit of expansions, or was cancelled; a plan may exist
-  kTimeout,     ///< gave up at the time limit; a plan may exist
-  kFailed       ///< the planner itself failed; `reason` says how
+  /// Gave up, a plan may exist: at the limit of expansions, or cancelled; or what was left out may
+  /// be one, such as improbable sequences, those beyond a beam's width or off a policy, and states
+  /// whose validity check failed. `reason` says which.
+  kLimit,
+  kTimeout,  ///< gave up at the time limit; a plan may exist
+  kFailed    ///< the planner itself failed; `reason` says how
 };
 
 /// "solved", "infeasible", "limit", "timeout", "failed".
@@ -43,8 +47,30 @@ struct Rejection {
   Invalidity cause = Invalidity::kNone;  ///< kNone: ruled out by action legality
   std::optional<std::size_t> object;     ///< index into the scene's objects, for a collision
   double value = 0;  ///< Pr[a | Omega] for action legality, else the clearance in metres
+  /// The object that the action would move, by index into the scene; `state` has its symbols.
+  /// Nothing where there is one target.
+  std::optional<std::size_t> moved = {};
 
   bool operator==(const Rejection&) const = default;
+};
+
+/// The steps that were ruled out for one cause, by one object.
+struct RejectionCount {
+  Invalidity cause = Invalidity::kNone;  ///< as of a Rejection
+  std::optional<std::size_t> object;     ///< as of a Rejection
+  std::size_t steps = 0;
+  double least = 0;     ///< of the values of these rejections
+  double greatest = 0;  ///< of the values of these rejections
+
+  bool operator==(const RejectionCount&) const = default;
+};
+
+/// What was ruled out of all that a search looked at.
+struct RejectionTally {
+  std::size_t states = 0;              ///< that were expanded; each counts once, however often
+  std::vector<RejectionCount> counts;  ///< over all actions in these states; by cause, then object
+
+  bool operator==(const RejectionTally&) const = default;
 };
 
 struct SearchStatistics {
@@ -61,14 +87,25 @@ struct PlanResult {
   std::vector<Plan> plans;  ///< best first, distinct action sequences
   SearchStatistics statistics;
   std::vector<Rejection>
-      rejections;      ///< beside the best plan, or around the start if there is none
-  std::string reason;  ///< why there is no plan, or fewer than asked for because of a limit
+      rejections;  ///< beside the best plan, or around the start if there is none
+  /// Where the query asks for it; nothing if no state was expanded, or by another program.
+  std::optional<RejectionTally> ruled_out;
+  /// Why there is no plan, or fewer than asked for because of a limit; `explanation` adds what
+  /// blocks the way.
+  std::string reason;
   /// For kInfeasible: the fewest objects of the scene, by index, without which the target could
-  /// get to the goal; empty where objects are not the reason, or not found to be.
+  /// get to the goal, each of several if the others were out of its way; empty where objects are
+  /// not the reason, or not found to be.
   std::vector<std::size_t> blocking;
-  std::optional<Symbols> nearest;  ///< for kInfeasible: symbols in reach that are nearest the goal
+  /// For kInfeasible: symbols in reach that are nearest the goal, of each target; empty if they
+  /// are not known.
+  std::vector<Symbols> nearest;
 
   bool operator==(const PlanResult&) const = default;
 };
+
+/// The reason with the objects that block the way: "...; without Pot 2 there would be a way".
+/// @param names of all objects of the scene; without them they are called "object 2"
+std::string explanation(const PlanResult& result, std::span<const std::string> names = {});
 
 }  // namespace conceptplan

@@ -20,6 +20,8 @@ struct PlanQuery {
   std::size_t top = 5;  ///< most plans to return, >= 1
   SearchLimits limits = {};
   std::uint64_t seed = 0;  ///< for planners that draw
+  /// Whether to fill `PlanResult::ruled_out`: takes a note of each state that the search expands.
+  bool count_rejections = false;
 };
 
 /// @throws std::invalid_argument if the query asks for no plan, or a limit is not positive.

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "conceptplan/planners/planner.hpp"
 
@@ -12,9 +13,24 @@ namespace conceptplan {
 /// time, or when it is cancelled. Serves one thread.
 class SearchGuard {
  public:
-  explicit SearchGuard(const SearchLimits& limits);
+  /// @param expanded [states], becomes true for each state that is expanded; null: none does
+  explicit SearchGuard(const SearchLimits& limits, std::vector<bool>* expanded = nullptr);
 
-  /// Counts one expansion. False once a limit has struck; the expansion must not be made then.
+  /// Counts the expansion of a state. False once a limit has struck; the expansion must not be made
+  /// then.
+  bool expand(SearchStatistics& statistics, StateId state) {
+    if (!expand(statistics)) return false;
+    note(state);
+    return true;
+  }
+
+  /// Notes a state as expanded, where an expansion is not of one state.
+  void note(StateId state) {
+    if (expanded_ != nullptr) (*expanded_)[index(state)] = true;
+  }
+  std::vector<bool>* expanded() const { return expanded_; }
+
+  /// Counts one expansion, of whatever.
   bool expand(SearchStatistics& statistics) {
     const bool is_due = statistics.expanded % kClockInterval == 0 || limits_.cancel != nullptr;
     if (is_due || stopped_ || statistics.expanded >= limits_.max_expansions) {
@@ -26,7 +42,10 @@ class SearchGuard {
 
   /// For work that is no expansion, to be asked before each piece of it: false once the time is up
   /// or the search is cancelled, or once it has been stopped.
-  bool goesOn();
+  bool goesOn() {
+    if (asked_++ % kClockInterval == 0 || limits_.cancel != nullptr) return mayGoOn();
+    return !stopped_;
+  }
 
   /// Which limit struck; nothing if none did.
   std::optional<PlanStatus> stopped() const { return stopped_; }
@@ -41,11 +60,13 @@ class SearchGuard {
   /// The clock is read once in so many expansions or pieces of other work.
   static constexpr std::size_t kClockInterval = 32;
 
+  bool mayGoOn();
   bool mayExpand(const SearchStatistics& statistics);
   bool isCancelled() const;
   void stopIfLate();
 
   SearchLimits limits_;
+  std::vector<bool>* expanded_;
   std::chrono::steady_clock::time_point deadline_;
   std::size_t asked_ = 0;  // for work that is no expansion
   std::optional<PlanStatus> stopped_;

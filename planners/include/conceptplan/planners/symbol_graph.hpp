@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "conceptplan/domain/action.hpp"
@@ -31,6 +32,7 @@ enum class Mutability {
 };
 
 struct GraphTables;
+class SearchGuard;
 
 /// One problem compiled for search: the target's symbols of all concepts that actions change,
 /// packed to numbers, with validity, legality and next states tabulated. Immutable; threads may
@@ -94,8 +96,9 @@ class SymbolGraph {
   const GraphTables& tables() const { return *tables_; }
 
  private:
-  friend SymbolGraph compile(const SymbolicModel&, const SymbolicProblem&, const StateValidity&,
-                             const CompileOptions&);
+  friend std::optional<SymbolGraph> compile(const SymbolicModel&, const SymbolicProblem&,
+                                            const StateValidity&, SearchGuard&,
+                                            const CompileOptions&);
   SymbolGraph() = default;
 
   SymbolicProblem problem_;
@@ -108,5 +111,10 @@ class SymbolGraph {
 /// `max_readings` is 0; or if there are more states than a StateId can number.
 SymbolGraph compile(const SymbolicModel& model, const SymbolicProblem& problem,
                     const StateValidity& validity, const CompileOptions& options = {});
+
+/// The same under limits, which it asks for as it goes: nothing once one strikes. @throws as above
+std::optional<SymbolGraph> compile(const SymbolicModel& model, const SymbolicProblem& problem,
+                                   const StateValidity& validity, SearchGuard& guard,
+                                   const CompileOptions& options = {});
 
 }  // namespace conceptplan

@@ -55,8 +55,9 @@ struct Report {
 /// One self-contained HTML page: no script, no network, pictures as data: URIs. Equal reports give
 /// equal pages.
 /// @throws std::invalid_argument if a target, a moved object, the object of a rejection or one
-///   that blocks the way is not among the objects, the best plan has other than one predicted state
-///   and, if any, one pair of frames an action, a plan for several targets has other than one moved
+///   that blocks the way is not among the objects, what is nearest is told of other than all
+///   targets, the best plan has other than one predicted state and, if any, one pair of frames an
+///   action, a plan for several targets has other than one moved
 ///   object an action, or a picture's channels do not fit its size.
 std::string renderReport(const Report& report);
 

@@ -20,7 +20,7 @@ namespace conceptplan {
 struct SolveOptions {
   std::uint64_t seed = 0;
   bool render = true;  ///< draw the best plan's steps, if the scenario wants it and has pictures
-  SearchLimits limits;
+  SearchLimits limits;  ///< of compiling, of the search and of the refinement, each
 };
 
 /// How many plans the top-5 measures look at.
@@ -84,10 +84,6 @@ SymbolGraph compileScenario(const Scenario& scenario, const Model& model);
 /// The names of the objects of that graph's problem, as `objectName`. Thread-safe.
 /// @throws InputError as `solveScenario`.
 std::vector<std::string> objectNames(const Scenario& scenario, const Model& model);
-
-/// A reason why a plan failed on `replay` with the name of the object that a step meets in place of
-/// its index.
-std::string namedReason(const std::string& reason, std::span<const std::string> names);
 
 /// The problem that two pictures pose, as the model reads them. `target` is an instance id; without
 /// one it is the object whose symbols differ most between the pictures.

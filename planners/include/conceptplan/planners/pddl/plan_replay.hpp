@@ -18,9 +18,13 @@ struct ReplayFailure {
   std::size_t step = 0;  ///< the first that is not allowed, from 0; the number of steps if all are,
                          ///< but the goal is not reached
   std::string reason;
+  std::optional<std::size_t> object = {};  ///< of the scene, by index, that the step meets
 
   bool operator==(const ReplayFailure&) const = default;
 };
+
+/// The reason with the object called by its name, of those of all objects of the scene.
+std::string explanation(const ReplayFailure& failure, std::span<const std::string> names);
 
 /// What came of a plan.
 struct PlanReplay {
