@@ -196,6 +196,9 @@ class OmplRuns {
     ompl::control::PlannerData tree(space_);
     planner->getPlannerData(tree);
     statistics.generated += tree.numVertices();
+    for (unsigned int i = 0; i < tree.numVertices(); ++i) {
+      guard.note(SymbolStateSpace::id(tree.getVertex(i).getState()));
+    }
     if (!problem->hasExactSolution()) return std::nullopt;
     const std::optional<std::vector<StateId>> along = replay(
         space_, *std::static_pointer_cast<ompl::control::PathControl>(problem->getSolutionPath()));
@@ -223,7 +226,7 @@ PlanResult OmplPlanner::search(const SymbolGraph& graph, const PlanQuery& query)
   return planByPaths(graph, query, options_.legality_threshold, [&](const PathTask& task) {
     SearchLimits half = query.limits;
     half.max_expansions = std::max<std::size_t>(half.max_expansions / 2, 1);
-    SearchGuard proof(half);
+    SearchGuard proof(half, task.guard.expanded());
     std::vector<StatePath> paths =
         shortestPaths(graph, options_.legality_threshold, task.start, task.goal,
                       {1, query.limits.horizon}, proof, task.statistics);

@@ -8,6 +8,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "graph_tables.hpp"
+#include "successors.hpp"
+
 namespace conceptplan {
 namespace {
 
@@ -113,38 +116,43 @@ SymbolStateSpace::SymbolStateSpace(std::shared_ptr<const SymbolGraph> graph,
   maximum_extent_ = std::max(maximum_extent_, 1.0);
 }
 
-/// Fills `steps_` by the algorithm of Floyd and Warshall.
+/// Fills `steps_` by breadth-first search from each symbol. All states in one context of an action
+/// change alike, so one of them tells which symbols follow each other.
 void SymbolStateSpace::measureSteps() {
-  std::array<std::size_t, kNumConcepts> count{};
-  for (const Concept axis : axes_) {
-    const std::size_t k = index(axis);
-    count[k] = graph_->problem().goal[k].size();
-    steps_[k].assign(count[k] * count[k], static_cast<double>(count[k]));
-    for (std::size_t i = 0; i < count[k]; ++i) steps_[k][i * count[k] + i] = 0;
-  }
-  for (std::size_t i = 0; i < numStates(); ++i) {
-    const auto state = static_cast<StateId>(i);
-    const Symbols from = graph_->symbols(state);
-    for (const Action action : kActions) {
-      const StateId outcome = next(state, action);
-      if (!contains(outcome) || outcome == state) continue;
-      const Symbols to = graph_->symbols(outcome);
-      for (const Concept axis : axes_) {
-        const std::size_t k = index(axis);
-        if (from[k] == to[k]) continue;
-        steps_[k][index(from[k]) * count[k] + index(to[k])] = 1;
-        steps_[k][index(to[k]) * count[k] + index(from[k])] = 1;
+  const SymbolIndex& states = graph_->tables().states;
+  std::array<std::vector<std::vector<std::size_t>>, kNumConcepts> next;  // of each symbol
+  for (const Concept axis : axes_)
+    next[index(axis)].resize(graph_->problem().goal[index(axis)].size());
+  const StateSteps steps =
+      likelySuccessors(*graph_, legality_threshold_, [](const Outcome&) { return kNat; });
+  for (const StateSteps::ContextSteps& all : steps.ofReading(0)) {
+    for (std::size_t context = 0; context < all.contexts.size(); ++context) {
+      const Symbols from = all.contexts.symbols(context, graph_->tables().fixed);
+      const auto state = static_cast<std::int32_t>(states(from));
+      for (std::uint32_t i = all.first[context]; i < all.first[context + 1]; ++i) {
+        const Symbols to = graph_->symbols(static_cast<StateId>(state + all.steps[i].shift));
+        for (const Concept axis : axes_) {
+          const std::size_t k = index(axis);
+          if (from[k] == to[k]) continue;
+          next[k][index(from[k])].push_back(index(to[k]));
+          next[k][index(to[k])].push_back(index(from[k]));
+        }
       }
     }
   }
   for (const Concept axis : axes_) {
-    std::vector<double>& steps = steps_[index(axis)];
-    const std::size_t n = count[index(axis)];
-    for (std::size_t by = 0; by < n; ++by) {
-      for (std::size_t from = 0; from < n; ++from) {
-        for (std::size_t to = 0; to < n; ++to) {
-          steps[from * n + to] =
-              std::min(steps[from * n + to], steps[from * n + by] + steps[by * n + to]);
+    const std::size_t k = index(axis);
+    const std::size_t count = next[k].size();
+    steps_[k].assign(count * count, static_cast<double>(count));
+    for (std::size_t from = 0; from < count; ++from) {
+      double* const distance = &steps_[k][from * count];
+      std::vector<std::size_t> open{from};
+      distance[from] = 0;
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        for (const std::size_t to : next[k][open[i]]) {
+          if (distance[to] < static_cast<double>(count)) continue;
+          distance[to] = distance[open[i]] + 1;
+          open.push_back(to);
         }
       }
     }

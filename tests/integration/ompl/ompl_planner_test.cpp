@@ -6,6 +6,7 @@
 #include <atomic>
 #include <fstream>
 #include <future>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/domain/simulation/simulator.hpp"
 #include "integration/ompl/task_graph.hpp"
+#include "planners/random_world.hpp"
 
 namespace conceptplan {
 namespace {
@@ -151,6 +153,75 @@ TEST_P(OmplPlannerContract, TheHorizonIsHonouredAndGivingUpIsNoProof) {
   const PlanResult result = solve(task, query);
   EXPECT_NE(result.status, PlanStatus::kInfeasible);
   for (const Plan& plan : result.plans) EXPECT_EQ(plan.actions.size(), task.reference.size());
+}
+
+/// By brute force: the state that a legal action most probably leads to, if it is valid.
+std::optional<StateId> stepOf(const SymbolGraph& graph, StateId state, Action action) {
+  if (graph.legality(state, action) <= 0.01) return std::nullopt;
+  const StateId next = graph.transitions(state, action).front().state;
+  if (!graph.valid(next)) return std::nullopt;
+  return next;
+}
+
+/// By brute force: whether at most so many such steps lead from start to goal.
+bool hasPlan(const SymbolGraph& graph, std::size_t horizon) {
+  std::set<StateId> reached{graph.mostProbableStart()};
+  for (std::size_t step = 0; step < horizon; ++step) {
+    std::set<StateId> more = reached;
+    for (const StateId state : reached) {
+      for (const Action action : kActions) {
+        if (const auto next = stepOf(graph, state, action)) more.insert(*next);
+      }
+    }
+    reached = std::move(more);
+  }
+  return reached.contains(graph.mostProbableGoal());
+}
+
+TEST_P(OmplPlannerContract, PlansOfRandomWorldsAreLegalByBruteForceAndNoneIsMissedOrInvented) {
+  std::size_t solved = 0, infeasible = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const SymbolGraph graph = testing::randomWorld(seed);
+    PlanQuery query = patientQuery();
+    query.seed = seed;
+    query.top = 3;
+    query.limits.horizon = 12;
+    const PlanResult result = planner_->solve(graph, query);
+    if (!hasPlan(graph, query.limits.horizon)) {
+      EXPECT_EQ(result.status, PlanStatus::kInfeasible) << result.reason;
+      EXPECT_TRUE(result.plans.empty());
+      ++infeasible;
+      continue;
+    }
+    ASSERT_EQ(result.status, PlanStatus::kSolved) << result.reason;
+    for (const Plan& plan : result.plans) {
+      EXPECT_LE(plan.actions.size(), query.limits.horizon);
+      StateId state = graph.mostProbableStart();
+      for (std::size_t i = 0; i < plan.actions.size(); ++i) {
+        const std::optional<StateId> next = stepOf(graph, state, plan.actions[i]);
+        ASSERT_TRUE(next.has_value()) << "step " << i;
+        state = *next;
+        EXPECT_EQ(plan.predicted[i], graph.symbols(state));
+      }
+      EXPECT_EQ(state, graph.mostProbableGoal());
+    }
+    ++solved;
+  }
+  EXPECT_GT(solved, 20u);
+  EXPECT_GT(infeasible, 10u);
+}
+
+TEST_P(OmplPlannerContract, CountsWhatIsRuledOutInTheProofAndInTheRuns) {
+  PlanQuery query = patientQuery();
+  query.top = 1;
+  query.count_rejections = true;
+  for (const Task& task : {lockedInTask(), testTask(3, 1)}) {
+    const PlanResult result = solve(task, query);
+    ASSERT_TRUE(result.ruled_out) << task.id;
+    EXPECT_GT(result.ruled_out->states, 0u);
+    EXPECT_FALSE(result.ruled_out->counts.empty());
+  }
 }
 
 TEST_P(OmplPlannerContract, SaysNothing) {
