@@ -19,6 +19,7 @@ conceptplan_library(learner
     include/conceptplan/learner/torch/checkpoint_identity.hpp
     include/conceptplan/learner/torch/concept_losses.hpp
     include/conceptplan/learner/torch/concept_network.hpp
+    include/conceptplan/learner/torch/concept_pairs.hpp
     include/conceptplan/learner/torch/concept_trainer.hpp
     include/conceptplan/learner/torch/encoder_batch.hpp
     include/conceptplan/learner/torch/frame_synthesizer.hpp
@@ -49,6 +50,7 @@ conceptplan_library(learner
     src/torch/concept_learner.cpp
     src/torch/concept_losses.cpp
     src/torch/concept_network.cpp
+    src/torch/concept_pairs.cpp
     src/torch/concept_trainer.cpp
     src/torch/encoder_batch.cpp
     src/torch/frame_synthesizer.cpp

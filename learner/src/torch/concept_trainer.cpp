@@ -1,12 +1,12 @@
 #include "conceptplan/learner/torch/concept_trainer.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
 #include "conceptplan/domain/files/checksum.hpp"
 #include "conceptplan/learner/torch/concept_losses.hpp"
+#include "conceptplan/learner/torch/concept_pairs.hpp"
 #include "conceptplan/learner/torch/encoder_batch.hpp"
 #include "conceptplan/learner/torch/generator_guard.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
@@ -22,23 +22,21 @@ constexpr double kDeadShare = 0.2;
 /// Batches that are read to see which prototypes are dead.
 constexpr std::int64_t kUseBatches = 4;
 
-constexpr AugmentationOptions kNoAugmentation{0, 0, 0, 0, 0, 0, 0};
-
 /// One batch of chains.
 struct ChainBatch {
-  EncoderBatch images;                     // G * 7
-  torch::Tensor first, second, differing;  // [P]: images of each of the paper's pairs, and concept
-  std::vector<torch::Tensor> changed;      // of each concept, [G, 7]: whether it has changed
+  EncoderBatch images;                 // G * 7
+  ConceptPairs pairs;                  // the paper's
+  std::vector<torch::Tensor> changed;  // of each concept, [G, 7]: whether it has changed
 };
 
 ChainBatch drawBatch(const ConceptImages& images, const ChainSampler& sampler, std::int64_t chains,
                      const AugmentationOptions& augmentation, std::mt19937_64& generator) {
   std::vector<EncoderInput> inputs;
-  std::vector<std::int64_t> first, second, differing;
+  std::vector<ConceptChain> drawn;
   auto changed =
       torch::zeros({static_cast<std::int64_t>(kNumConcepts), chains, kChainImages}, torch::kBool);
   for (std::int64_t c = 0; c < chains; ++c) {
-    const ConceptChain chain = sampler.draw(generator);
+    const ConceptChain& chain = drawn.emplace_back(sampler.draw(generator));
     for (const std::size_t image : chain.images) {
       const std::size_t occluder = generator() % images.size();
       inputs.push_back(augmented(images.planes(image), images.location(image),
@@ -47,26 +45,16 @@ ChainBatch drawBatch(const ConceptImages& images, const ChainSampler& sampler, s
     for (std::size_t link = 0; link < kNumConcepts; ++link) {
       if (!chain.differs[link]) continue;
       const auto which = static_cast<std::int64_t>(chain.concepts[link]);
-      const auto next = static_cast<std::int64_t>(1 + link);
-      changed[which][c].slice(0, next).fill_(true);
-      second.push_back(c * kChainImages + next);
-      first.push_back(second.back() - 1);
-      differing.push_back(which);
+      changed[which][c].slice(0, static_cast<std::int64_t>(1 + link)).fill_(true);
     }
   }
-  return {encoderBatch(inputs), torch::tensor(first), torch::tensor(second),
-          torch::tensor(differing), changed.unbind()};
+  return {encoderBatch(inputs), pairsOf(drawn), changed.unbind()};
 }
 
-/// What the network makes of a batch.
-struct ReadBatch {
-  torch::Tensor planes, z, tokens;  // [B, 5, E, E], [B, channels, 8, 8], [B, 6, 64]
-};
-
-ReadBatch readBatch(ConceptNetwork& network, const EncoderBatch& images) {
+ReadImages readBatch(ConceptNetwork& network, const EncoderBatch& images) {
   const auto planes = encoderPlanes(images.bytes, images.location, network->encoderKind());
   const auto z = network->encode(planes);
-  return {planes, z, network->tokenize(z, images.location)};
+  return {planes, images.location, z, network->tokenize(z, images.location)};
 }
 
 /// Mean squared error of the tokens that drawn objects are read as, against those they were drawn
@@ -83,32 +71,6 @@ torch::Tensor readingLoss(ConceptNetwork& network, const DecodedObject& drawn,
 /// Whether a parameter serves to show objects.
 bool draws(const std::string& name) {
   return name.starts_with("drawer") || name.starts_with("locator");
-}
-
-/// Pairs to draw: the first picture from its own tokens, and the second from the first's with the
-/// differing one substituted, Eq. (1).
-struct PairsToDraw {
-  torch::Tensor first;            // [P]: of each pair
-  torch::Tensor tokens;           // [2P, 6, 64]
-  torch::Tensor truth, location;  // [2P, 5, E, E], [2P, 3]
-};
-
-PairsToDraw choosePairs(const ChainBatch& batch, const ReadBatch& read, std::int64_t pairs,
-                        std::mt19937_64& generator) {
-  std::vector<std::int64_t> order(static_cast<std::size_t>(batch.first.size(0)));
-  std::iota(order.begin(), order.end(), 0);
-  std::shuffle(order.begin(), order.end(), generator);
-  const auto chosen = torch::tensor(order).slice(0, 0, pairs);
-  const auto first = batch.first.index({chosen}), second = batch.second.index({chosen});
-  const auto one_hot =
-      torch::one_hot(batch.differing.index({chosen}), static_cast<std::int64_t>(kNumConcepts))
-          .to(torch::kBool)
-          .unsqueeze(-1);
-  const auto substituted =
-      torch::where(one_hot, read.tokens.index({second}), read.tokens.index({first}));
-  const auto targets = torch::cat({first, second});
-  return {first, torch::cat({read.tokens.index({first}), substituted}),
-          read.planes.index({targets}), batch.images.location.index({targets})};
 }
 
 /// Errors of the drawn pairs and of where they are put, weighted.
@@ -191,6 +153,8 @@ ConceptTrainingOptions paperConceptTraining() {
   options.pair_weight = 0;
   options.use_weight = 0;
   options.confidence_weight = 0;
+  options.foreground_weight = 1;
+  options.augmentation = kNoAugmentation;
   return options;
 }
 
@@ -245,12 +209,12 @@ ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progr
                                         bool sharpening) {
   const ChainBatch batch =
       drawBatch(images_, sampler_, options_.chains, options_.augmentation, generator);
-  const ReadBatch read = readBatch(network_, batch.images);
+  const ReadImages read = readBatch(network_, batch.images);
   const torch::Tensor& tokens = read.tokens;
 
   ConceptLosses losses;
   const auto disentangling = conceptDisentanglingLoss(
-      tokens.index({batch.first}), tokens.index({batch.second}), batch.differing);
+      tokens.index({batch.pairs.first}), tokens.index({batch.pairs.second}), batch.pairs.differing);
   auto pair = torch::zeros({});
   auto use = torch::zeros({});
   auto confidence = torch::zeros({});
@@ -270,8 +234,9 @@ ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progr
                options_.use_weight * use;
   if (sharpening) total = total + options_.confidence_weight * confidence;
   const bool drawing = !sharpening && progress >= options_.reconstruction_start;
-  if (drawing && batch.first.size(0) > 0) {
-    const PairsToDraw pairs = choosePairs(batch, read, options_.reconstructed_pairs, generator);
+  if (drawing && batch.pairs.first.size(0) > 0) {
+    const PairsToDraw pairs =
+        choosePairs(batch.pairs, read, options_.reconstructed_pairs, generator);
     const DecodedObject drawn = network_->decode(network_->detokenize(pairs.tokens));
     const auto direct = reconstructionLoss(network_->decode(read.z.index({pairs.first})),
                                            pairs.truth.slice(0, 0, pairs.first.size(0)),
@@ -314,8 +279,8 @@ ConceptLosses ConceptTrainer::drawerStep(std::mt19937_64& generator, double prog
       drawBatch(images_, sampler_, options_.drawer_chains, kNoAugmentation, generator);
   ConceptLosses losses;
   auto total = torch::zeros({});
-  if (batch.first.size(0) > 0) {
-    const PairsToDraw pairs = choosePairs(batch, readBatch(network_, batch.images),
+  if (batch.pairs.first.size(0) > 0) {
+    const PairsToDraw pairs = choosePairs(batch.pairs, readBatch(network_, batch.images),
                                           options_.reconstructed_pairs, generator);
     const auto boxes = network_->drawer()->locateInCrop(pairs.tokens);
     const auto true_boxes = boundingBoxes(pairs.truth.slice(1, 4, 5));

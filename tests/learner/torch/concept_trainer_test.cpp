@@ -30,7 +30,7 @@ ConceptTrainingOptions smallOptions() {
   options.drawer_chains = 1;
   options.reconstructed_pairs = 2;
   options.reconstruction_start = 0.5;
-  options.augmentation = {0, 0, 0, 0, 0, 0, 0};
+  options.augmentation = kNoAugmentation;
   return options;
 }
 
@@ -241,6 +241,11 @@ TEST(ConceptTrainer, ThePapersTrainingIsItsNetworksLossesAndRatesAlone) {
   EXPECT_NEAR(paper.learning_rate * paper.tokenizer_rate_share, 1e-5, 1e-12);
   EXPECT_EQ(paper.pair_weight + paper.use_weight + paper.confidence_weight, 0);
   EXPECT_EQ(paper.sharpening_steps + paper.drawer_steps, 0);
+  EXPECT_EQ(paper.disentangling_weight, 1);
+  EXPECT_EQ(paper.reconstruction_weight, 1);
+  EXPECT_EQ(paper.reconstruction_start, 0);
+  EXPECT_EQ(paper.foreground_weight, 1);  // all pixels count alike
+  EXPECT_EQ(paper.augmentation, kNoAugmentation);
 }
 
 TEST(ConceptTrainer, Eq3FallsOnOneBatchWithThePapersNetworksAndLossesAlone) {
@@ -249,7 +254,6 @@ TEST(ConceptTrainer, Eq3FallsOnOneBatchWithThePapersNetworksAndLossesAlone) {
   options.encoder_steps = 12;
   options.chains = 1;
   options.reconstructed_pairs = 2;
-  options.augmentation = {0, 0, 0, 0, 0, 0, 0};
   ConceptTrainer trainer(images, options);
   const auto total = [](const ConceptLosses& losses) {
     return losses.disentangling + losses.reconstruction + losses.direct;

@@ -15,13 +15,11 @@ std::ptrdiff_t visible(const EncoderInput& input) {
   return std::count(input.planes.begin() + 4 * kPixels, input.planes.end(), 255);
 }
 
-const AugmentationOptions kNothing{0, 0, 0, 0, 0, 0, 0};
-
 TEST(Augmentation, WithNothingToVaryKeepsTheImage) {
   const EncoderInput input = encoderInput(coloredBlob(2));
   std::mt19937_64 generator(1);
   const EncoderInput same =
-      augmented(input.planes, input.location, input.planes, kNothing, generator);
+      augmented(input.planes, input.location, input.planes, kNoAugmentation, generator);
   // The blob's bounding box is off the middle by one pixel, which centring mends.
   EXPECT_EQ(visible(same), visible(input));
   EXPECT_NEAR(same.location[0], input.location[0], 0.006);
@@ -30,7 +28,7 @@ TEST(Augmentation, WithNothingToVaryKeepsTheImage) {
 TEST(Augmentation, OcclusionHidesAPartAndKeepsAtLeastTwoFifths) {
   const EncoderInput input = encoderInput(coloredBlob(2, 18));
   const EncoderInput occluder = encoderInput(coloredBlob(3, 24));
-  AugmentationOptions options = kNothing;
+  AugmentationOptions options = kNoAugmentation;
   options.occlusion = 1;
   std::mt19937_64 generator(1);
   bool hidden = false;
@@ -45,10 +43,10 @@ TEST(Augmentation, OcclusionHidesAPartAndKeepsAtLeastTwoFifths) {
 
 TEST(Augmentation, MaskNoiseTakesPixelsFromTheOutlineAlone) {
   const EncoderInput input = encoderInput(coloredBlob(2, 18));
-  AugmentationOptions options = kNothing;
+  AugmentationOptions options = kNoAugmentation;
   options.mask_noise = 1;
   std::mt19937_64 first(1), second(1);
-  const EncoderInput whole = augmented(input.planes, input.location, input.planes, kNothing, first);
+  const EncoderInput whole = augmented(input.planes, input.location, input.planes, kNoAugmentation, first);
   const EncoderInput frayed =
       augmented(input.planes, input.location, input.planes, options, second);
   const auto lost = visible(whole) - visible(frayed);

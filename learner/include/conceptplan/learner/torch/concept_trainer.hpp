@@ -30,12 +30,12 @@ struct ConceptTrainingOptions {
   /// as in Eq. (3).
   double reconstruction_start = 0.5;
   std::int64_t reconstructed_pairs = 16;  ///< pairs a step that are drawn
-  double foreground_weight = 10;
-  double disentangling_weight = 1;    ///< of Eq. (2)
-  double pair_weight = 1;             ///< of the pair likelihood
-  double use_weight = 2.5;            ///< of the prototypes' even use
-  double confidence_weight = 0.6;     ///< of the entropy of single images, in the second phase
-  double reconstruction_weight = 10;  ///< of Eq. (1) and of the direct branch
+  double foreground_weight = 10;          ///< of the object's pixels; 1 is the background's
+  double disentangling_weight = 1;        ///< of Eq. (2)
+  double pair_weight = 1;                 ///< of the pair likelihood
+  double use_weight = 2.5;                ///< of the prototypes' even use
+  double confidence_weight = 0.6;         ///< of the entropy of single images, in the second phase
+  double reconstruction_weight = 10;      ///< of Eq. (1) and of the direct branch
   /// Steps between two looks for prototypes that no picture uses, in the first two phases.
   std::int64_t revival_interval = 100;
   double sharpness_weight = 2;   ///< of absolute errors of colours, in the third phase
@@ -49,8 +49,9 @@ struct ConceptTrainingOptions {
   std::uint64_t seed = 0;
 };
 
-/// The paper's own networks, on whole frames, with its losses and learning rates alone. Source: the
-/// authors' page of arXiv 2310.03325; steps and chains are ours.
+/// The paper's own networks, on whole frames as they are, with its losses and learning rates alone.
+/// Source: the authors' page of arXiv 2310.03325. Ours are steps and chains, the rates' course, the
+/// averaging of weights, and that depth, mask and the crop's place are drawn too, for frames.
 ConceptTrainingOptions paperConceptTraining();
 
 class GeneratorGuard;

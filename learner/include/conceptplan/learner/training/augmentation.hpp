@@ -18,7 +18,10 @@ struct AugmentationOptions {
   double channel_gain = 0.05;  ///< largest relative change of each colour channel
   double noise = 3.0;          ///< largest standard deviation of pixel noise, of 255
   int shift_px = 1;            ///< largest error of the crop's centre
+  bool operator==(const AugmentationOptions&) const = default;
 };
+
+inline constexpr AugmentationOptions kNoAugmentation{0, 0, 0, 0, 0, 0, 0};
 
 /// A varied copy of an image. `occluder` are the planes of another image, whose silhouette hides a
 /// part; the crop is centred on what remains, as it would be in a frame, and at least 40 % remain.
