@@ -30,6 +30,7 @@ void writeManifest(const std::filesystem::path& folder, const Manifest& manifest
   document["options"] = manifest.options;
   document["complete"] = manifest.complete;
   document["checksums"] = hexadecimal(manifest.checksum);
+  document["checksum"] = hexadecimal(crc32OfJson(document.dump()));
   writeFileAtomically(folder / kManifestName, document.dump(2) + '\n');
 }
 
@@ -110,6 +111,11 @@ Manifest readManifest(const std::filesystem::path& folder) {
   if (!version.is_null() && version != kVersion)
     fail(path,
          "expected a dataset of version " + std::to_string(kVersion) + ", found " + version.dump());
+  if (document.contains("checksum")) {
+    const std::string expected = fields.text("checksum"), found = hexadecimal(crc32OfJson(text));
+    if (expected != found)
+      fail(path, "is damaged: expected checksum " + expected + ", found " + found);
+  }
   Manifest manifest;
   manifest.kind = fields.text("kind");
   if (manifest.kind != "tasks" && manifest.kind != "concepts")

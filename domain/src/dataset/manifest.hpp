@@ -36,7 +36,8 @@ nlohmann::json toJson(const ConceptDatasetOptions& options);
 TaskDatasetOptions taskOptions(const Manifest& manifest, const std::filesystem::path& folder);
 ConceptDatasetOptions conceptOptions(const Manifest& manifest, const std::filesystem::path& folder);
 
-/// @throws InputError if the file is missing, malformed or of another version.
+/// One without a checksum of its own, as earlier versions wrote, is taken as it is.
+/// @throws InputError if the file is missing, malformed, damaged or of another version.
 Manifest readManifest(const std::filesystem::path& folder);
 
 /// The manifest of a complete set of that kind. @throws InputError as above, and otherwise.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -83,19 +85,37 @@ std::vector<Task> readTasks(const std::filesystem::path& folder) {
   return tasks;
 }
 
+struct TaskDataset::Files {
+  std::map<std::string, FileChecksum> by_path;
+
+  /// What is wrong with a file of the set.
+  std::vector<Fault> faults(const std::filesystem::path& folder,
+                            const std::filesystem::path& path) const {
+    const auto found = by_path.find(path.generic_string());
+    if (found != by_path.end()) return faultsOf(folder, found->second);
+    return {{(folder / path).string(), {}, {}, "", "is not a file of this dataset"}};
+  }
+};
+
 TaskDataset::TaskDataset(const std::filesystem::path& folder) : folder_(folder) {
   const Manifest manifest = readManifest(folder, "tasks");
   options_ = taskOptions(manifest, folder);
-  for (const FileChecksum& expected : readChecksums(folder, manifest)) {
-    if (expected.path != kTasksName) continue;
-    std::vector<Fault> faults = faultsOf(folder, expected);
-    if (!faults.empty()) throw InputError(std::move(faults));
-  }
+  auto files = std::make_shared<Files>();
+  for (const FileChecksum& file : readChecksums(folder, manifest))
+    files->by_path.emplace(file.path, file);
+  std::vector<Fault> faults = files->faults(folder, kTasksName);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  files_ = std::move(files);
   tasks_ = readTasks(folder);
 }
 
 RgbdImage TaskDataset::frame(const Task& task, int step) const {
-  return readRgbdImage(rgbdPaths(folder_ / frameStem(task, step)));
+  const RgbdPaths paths = rgbdPaths(frameStem(task, step));
+  std::vector<Fault> faults;
+  for (const std::filesystem::path& path : {paths.rgb, paths.depth, paths.mask})
+    std::ranges::move(files_->faults(folder_, path), std::back_inserter(faults));
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return readRgbdImage({folder_ / paths.rgb, folder_ / paths.depth, folder_ / paths.mask});
 }
 
 }  // namespace conceptplan

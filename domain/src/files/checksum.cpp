@@ -4,7 +4,9 @@
 
 #include <array>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "conceptplan/domain/files/json_depth.hpp"
 #include "conceptplan/domain/input_error.hpp"
 
 namespace conceptplan {
@@ -28,6 +30,14 @@ std::uint32_t crc32OfFile(const std::filesystem::path& path) {
   }
   if (file.bad()) throw InputError({Fault{path.string(), {}, {}, "", "reading failed"}});
   return static_cast<std::uint32_t>(checksum);
+}
+
+std::uint32_t crc32OfJson(std::string_view object) {
+  if (nestsTooDeep(object)) return 0;
+  nlohmann::json document = nlohmann::json::parse(object, nullptr, /*allow_exceptions=*/false);
+  if (!document.is_object()) return 0;
+  document.erase("checksum");
+  return crc32(document.dump());
 }
 
 std::string hexadecimal(std::uint32_t checksum) {

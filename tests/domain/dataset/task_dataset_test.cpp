@@ -48,6 +48,14 @@ void replaceInFile(const std::filesystem::path& path, const std::string& from,
   writeFileAtomically(path, bytes.replace(position, from.size(), to));
 }
 
+/// Leaves a manifest as earlier versions wrote it.
+void takeChecksumOut(const std::filesystem::path& path) {
+  std::string text = readFile(path);
+  const std::size_t begin = text.find(",\n  \"checksum\"");
+  ASSERT_NE(begin, std::string::npos);
+  writeFileAtomically(path, text.erase(begin, text.rfind('\n', text.size() - 2) - begin));
+}
+
 std::string readingFaults(const std::filesystem::path& folder) {
   return faultsOf([&] { TaskDataset{folder}; });
 }
@@ -153,6 +161,7 @@ TEST(TaskDataset, AFolderThatIsNoDatasetIsNamed) {
 TEST(TaskDataset, AllFaultsOfTheManifestAreTold) {
   const TemporaryFolder folder;
   writeDataset(folder.path(), smallOptions());
+  takeChecksumOut(folder / "dataset.json");
   replaceInFile(folder / "dataset.json", "\"count\": 3", "\"count\": 0");
   replaceInFile(folder / "dataset.json", "\"test\"", "\"tset\"");
   replaceInFile(folder / "dataset.json", "\"seed\": 12", "\"sead\": 12");
@@ -161,6 +170,17 @@ TEST(TaskDataset, AllFaultsOfTheManifestAreTold) {
   EXPECT_THAT(faults, HasSubstr("options.split: has no value \"tset\""));
   EXPECT_THAT(faults, HasSubstr("options.seed: is missing"));
   EXPECT_THAT(faults, HasSubstr("options.sead: is unknown"));
+}
+
+TEST(TaskDataset, AManifestThatWasChangedIsRefusedAndOneWithoutAChecksumRead) {
+  const TemporaryFolder folder;
+  writeDataset(folder.path(), smallOptions());
+  takeChecksumOut(folder / "dataset.json");
+  EXPECT_EQ(TaskDataset(folder.path()).options(), smallOptions());
+  writeDataset(folder.path(), smallOptions());
+  replaceInFile(folder / "dataset.json", "\"seed\": 12", "\"seed\": 13");
+  EXPECT_THAT(readingFaults(folder.path()),
+              HasSubstr("dataset.json: is damaged: expected checksum "));
 }
 
 TEST(TaskDataset, DamagedTasksAreRefused) {

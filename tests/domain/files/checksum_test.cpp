@@ -22,6 +22,15 @@ TEST(Checksum, FileEqualsItsBytesAcrossPieces) {
   EXPECT_EQ(crc32OfFile(folder.write("empty", "")), 0u);
 }
 
+TEST(Checksum, OfJsonIsThatOfWhatItSays) {
+  const std::uint32_t checksum = crc32OfJson(R"({"a": 1, "b": [0.5, "x"]})");
+  EXPECT_EQ(checksum, crc32(R"({"a":1,"b":[0.5,"x"]})"));
+  EXPECT_EQ(crc32OfJson(" {\"b\":[0.5,\"x\"],\n\"checksum\": \"1\", \"a\":1} "), checksum);
+  EXPECT_NE(crc32OfJson(R"({"a": 2, "b": [0.5, "x"]})"), checksum);
+  EXPECT_EQ(crc32OfJson("[1]"), 0U);
+  EXPECT_EQ(crc32OfJson("{\"a\":"), 0U);
+}
+
 TEST(Checksum, FlippedBitIsFound) {
   std::string bytes(1000, 'a');
   const std::uint32_t before = crc32(bytes);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -57,13 +58,16 @@ class TaskDataset {
   const TaskDatasetOptions& options() const { return options_; }
   const std::vector<Task>& tasks() const { return tasks_; }
 
-  /// The picture of a task after `step` actions of its reference.
+  /// The picture of a task after `step` actions of its reference, checked against its checksums.
   /// @throws InputError if it is not stored, or damaged.
   RgbdImage frame(const Task& task, int step) const;
 
  private:
+  struct Files;
+
   std::filesystem::path folder_;
   TaskDatasetOptions options_;
+  std::shared_ptr<const Files> files_;
   std::vector<Task> tasks_;
 };
 
