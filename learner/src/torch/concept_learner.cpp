@@ -17,6 +17,8 @@ namespace {
 
 /// Half frames, and half metres, from the middle: far outside of all pictures.
 constexpr double kFarthestLocation = 100;
+/// Objects that pass the network together.
+constexpr std::size_t kBatch = 64;
 
 ConceptNetwork freshNetwork(EncoderKind encoder) {
   const GeneratorGuard guard;
@@ -52,7 +54,6 @@ ConceptLearner::ConceptLearner(ConceptLearner&&) noexcept = default;
 ConceptLearner& ConceptLearner::operator=(ConceptLearner&&) noexcept = default;
 
 std::vector<Tokens> ConceptLearner::encode(std::span<const EncoderInput> inputs) const {
-  constexpr std::size_t kBatch = 64;
   for (const EncoderInput& input : inputs)
     for (const float number : input.location)
       if (!std::isfinite(number))
@@ -75,32 +76,35 @@ std::vector<Tokens> ConceptLearner::encode(std::span<const EncoderInput> inputs)
 }
 
 std::vector<DrawnObject> ConceptLearner::draw(std::span<const Tokens> tokens) const {
-  if (tokens.empty()) return {};
   for (const Tokens& one : tokens)
     if (!one.allFinite())
       throw std::invalid_argument("ConceptLearner::draw: tokens are not finite");
   const torch::InferenceMode inference;
-  const auto input = toTensor(tokens);
   ConceptNetwork& network = network_->network;
-  const DecodedObject decoded = network->draw(input);
-  const auto located = network->locate(input);
-  network_->check(located, "locations");
-  const auto location = located.clamp(-kFarthestLocation, kFarthestLocation).contiguous();
-  auto planes = torch::cat({decoded.rgb, decoded.depth, torch::sigmoid(decoded.mask_logits)}, 1);
-  if (network->encoderKind() == EncoderKind::kFullFrame) planes = cropsOf(planes, location);
-  network_->check(planes, "pictures");
-  planes = planes.contiguous();
   constexpr std::size_t kPixels = EncoderInput::kPixels;
-  std::vector<DrawnObject> drawn(tokens.size());
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const float* rgb = planes.data_ptr<float>() + i * EncoderInput::kChannels * kPixels;
-    const float* level = rgb + 3 * kPixels;
-    const float* alpha = level + kPixels;
-    std::copy_n(location.data_ptr<float>() + 3 * i, 3, drawn[i].location.begin());
-    drawn[i].rgb.assign(rgb, level);
-    drawn[i].alpha.assign(alpha, alpha + kPixels);
-    for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
-      drawn[i].depth_m.push_back(depthOf(drawn[i].location, 255.0F * level[pixel]));
+  std::vector<DrawnObject> drawn;
+  for (std::size_t begin = 0; begin < tokens.size(); begin += kBatch) {
+    const auto input = toTensor(tokens.subspan(begin, std::min(kBatch, tokens.size() - begin)));
+    const DecodedObject decoded = network->draw(input);
+    const auto located = network->locate(input);
+    network_->check(located, "locations");
+    const auto location = located.clamp(-kFarthestLocation, kFarthestLocation).contiguous();
+    auto planes = torch::cat({decoded.rgb, decoded.depth, torch::sigmoid(decoded.mask_logits)}, 1);
+    if (network->encoderKind() == EncoderKind::kFullFrame) planes = cropsOf(planes, location);
+    network_->check(planes, "pictures");
+    planes = planes.contiguous();
+    for (std::int64_t i = 0; i < input.size(0); ++i) {
+      const float* rgb = planes.data_ptr<float>() +
+                         static_cast<std::size_t>(i) * EncoderInput::kChannels * kPixels;
+      const float* level = rgb + 3 * kPixels;
+      const float* alpha = level + kPixels;
+      DrawnObject& object = drawn.emplace_back();
+      std::copy_n(location.data_ptr<float>() + 3 * i, 3, object.location.begin());
+      object.rgb.assign(rgb, level);
+      object.alpha.assign(alpha, alpha + kPixels);
+      for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
+        object.depth_m.push_back(depthOf(object.location, 255.0F * level[pixel]));
+    }
   }
   return drawn;
 }

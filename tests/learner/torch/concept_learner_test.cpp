@@ -55,6 +55,24 @@ TEST(ConceptLearner, DrawsPicturesInRange) {
   }
 }
 
+TEST(ConceptLearner, EncodesAndDrawsManyAsEachAlone) {
+  const ConceptLearner learner(freshTensors(EncoderKind::kObjectCentred),
+                               EncoderKind::kObjectCentred, "m");
+  std::vector<EncoderInput> inputs;
+  for (std::uint64_t i = 0; i < 70; ++i)  // more than pass the network together
+    inputs.push_back(encoderInput(coloredBlob(i)));
+  const std::vector<Tokens> tokens = learner.encode(inputs);
+  const std::vector<DrawnObject> drawn = learner.draw(tokens);
+  ASSERT_EQ(tokens.size(), inputs.size());
+  ASSERT_EQ(drawn.size(), inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); i += 23) {
+    EXPECT_TRUE(learner.encode({&inputs[i], 1}).front().isApprox(tokens[i], 1e-4F));
+    const DrawnObject alone = learner.draw({&tokens[i], 1}).front();
+    EXPECT_THAT(alone.rgb, testing::Pointwise(testing::FloatNear(1e-4F), drawn[i].rgb)) << i;
+    EXPECT_THAT(alone.alpha, testing::Pointwise(testing::FloatNear(1e-4F), drawn[i].alpha)) << i;
+  }
+}
+
 TEST(ConceptLearner, LoadingLeavesTorchsDefaultGeneratorAsItWas) {
   const NamedTensors tensors = freshTensors(EncoderKind::kObjectCentred);
   torch::manual_seed(11);

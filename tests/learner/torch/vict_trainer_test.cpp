@@ -183,5 +183,45 @@ TEST(VisualTransition, Eq7KeepsTokenLengthAndSynthesizesOnlyNearTheObject) {
   EXPECT_THROW(transition.synthesize({image, background.hole}, 1, object), std::invalid_argument);
 }
 
+TEST(VisualTransition, DoesWithManyAsWithEachAlone) {
+  const ConceptLearner learner = freshLearner();
+  const auto data = sequences();
+  const VictTrainer trainer(data, learner, smallOptions());
+  const VisualTransition transition(trainer.tensors(), "m");
+  std::vector<TransitionInput> steps;
+  for (int i = 0; i < 20; ++i)
+    steps.push_back({data[static_cast<std::size_t>(i % 2)].frames[0].tokens,
+                     Tokens::Constant(0.1F * static_cast<float>(i)),
+                     kActions[static_cast<std::size_t>(i) % kNumActions]});
+  const std::vector<Tokens> after = transition.apply(steps);
+  ASSERT_EQ(after.size(), steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    EXPECT_TRUE(
+        after[i].isApprox(transition.apply(steps[i].tokens, steps[i].context, steps[i].action)));
+
+  const SequenceFrame& first = data[0].frames[0];
+  const RgbdImage image{kFrameWidth, kFrameHeight, first.rgb,
+                        std::vector<float>(kFrameWidth * kFrameHeight, 2.0F), first.hole};
+  const Background background = backgroundWithout(image, 1);
+  std::vector<DrawnObject> objects = learner.draw(after);
+  std::vector<SynthesisInput> inputs;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    objects[i].location = {-0.8F + 0.08F * static_cast<float>(i), 0.0F, 0.0F};
+    inputs.push_back({background, static_cast<std::uint8_t>(1 + i), objects[i]});
+  }
+  const std::vector<RgbdImage> frames = transition.synthesize(inputs);  // in more than one pass
+  ASSERT_EQ(frames.size(), inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const RgbdImage alone =
+        transition.synthesize(background, static_cast<std::uint8_t>(1 + i), objects[i]);
+    EXPECT_EQ(frames[i].rgb, alone.rgb) << i;
+    EXPECT_EQ(frames[i].depth_m, alone.depth_m) << i;
+    EXPECT_EQ(frames[i].mask, alone.mask) << i;
+  }
+  EXPECT_NE(frames[0].rgb, frames[1].rgb);
+  EXPECT_TRUE(transition.apply(std::span<const TransitionInput>()).empty());
+  EXPECT_TRUE(transition.synthesize({}).empty());
+}
+
 }  // namespace
 }  // namespace conceptplan
