@@ -48,47 +48,50 @@ Plan singleStep(const SymbolGraph& graph, Action action) {
   return plan;
 }
 
-void drawReference(const std::vector<RgbdImage>& frames, const std::vector<Percept>& percepts,
-                   const Task& task, const Model& model, FrameSums& sums) {
-  for (std::size_t step = 0; step < task.reference.size(); ++step) {
-    const auto graph = graphOf(model, percepts[step], percepts[step + 1], targetOf(task));
-    if (!graph) continue;
-    const RgbdImage drawn = model
-                                .render(frames[step], percepts[step], targetOf(task),
-                                        singleStep(*graph, task.reference[step]))
-                                .front();
-    ++sums.steps;
-    sums.psnr_db += peakSignalToNoise_dB(drawn, frames[step + 1]);
-    sums.ssim += structuralSimilarity(drawn, frames[step + 1]);
-  }
-}
+/// Draws the steps of the reference, each from the picture before it, and the first plan, from the
+/// first picture.
+FrameSums drawTask(const TaskDataset& tasks, const Task& task, const Model& model) {
+  std::vector<RgbdImage> pictures;
+  for (std::size_t step = 0; step <= task.reference.size(); ++step)
+    pictures.push_back(tasks.frame(task, static_cast<int>(step)));
+  const std::vector<Percept> percepts = model.perceive(pictures);
+  const std::uint8_t target = targetOf(task);
 
-void drawPlan(const RgbdImage& first, const Percept& initial, const Percept& goal, const Task& task,
-              const Model& model, FrameSums& sums) {
-  const auto graph = graphOf(model, initial, goal, targetOf(task));
-  if (!graph) return;
-  const PlanResult result = BeliefPlanner().solve(*graph, PlanQuery{});
-  if (result.plans.empty()) return;
-  const Plan& plan = result.plans.front();
-  const std::vector<RgbdImage> drawn = model.render(first, initial, targetOf(task), plan);
-  const std::vector<Percept> percepts = model.perceive(drawn);
-  for (std::size_t step = 0; step < drawn.size(); ++step) {
-    const Percept& read = percepts[step];
-    const std::size_t at = read.position(targetOf(task));
+  std::vector<Plan> plans;          // of one step each
+  std::vector<std::size_t> before;  // the picture from which each starts
+  for (std::size_t step = 0; step < task.reference.size(); ++step)
+    if (const auto graph = graphOf(model, percepts[step], percepts[step + 1], target)) {
+      plans.push_back(singleStep(*graph, task.reference[step]));
+      before.push_back(step);
+    }
+  FrameSums sums;
+  sums.steps = before.size();
+  if (const auto graph = graphOf(model, percepts.front(), percepts.back(), target)) {
+    const PlanResult result = BeliefPlanner().solve(*graph, PlanQuery{});
+    if (!result.plans.empty()) {
+      plans.push_back(result.plans.front());
+      before.push_back(0);
+    }
+  }
+  std::vector<RenderQuery> queries;
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    queries.push_back({pictures[before[i]], percepts[before[i]], target, plans[i]});
+  const std::vector<std::vector<RgbdImage>> drawn = model.render(queries);
+
+  for (std::size_t i = 0; i < sums.steps; ++i) {
+    const RgbdImage& truth = pictures[before[i] + 1];
+    sums.psnr_db += peakSignalToNoise_dB(drawn[i].front(), truth);
+    sums.ssim += structuralSimilarity(drawn[i].front(), truth);
+  }
+  if (plans.size() == sums.steps) return sums;
+  const std::vector<Percept> read = model.perceive(drawn.back());
+  for (std::size_t step = 0; step < read.size(); ++step) {
+    const std::size_t at = read[step].position(target);
     ++sums.planned_steps;
-    if (at < read.beliefs.size() && mostProbable(read.beliefs[at]) == plan.predicted[step])
+    if (at < read[step].beliefs.size() &&
+        mostProbable(read[step].beliefs[at]) == plans.back().predicted[step])
       ++sums.read_back;
   }
-}
-
-FrameSums drawTask(const TaskDataset& tasks, const Task& task, const Model& model) {
-  std::vector<RgbdImage> frames;
-  for (std::size_t step = 0; step <= task.reference.size(); ++step)
-    frames.push_back(tasks.frame(task, static_cast<int>(step)));
-  const std::vector<Percept> percepts = model.perceive(frames);
-  FrameSums sums;
-  drawReference(frames, percepts, task, model, sums);
-  drawPlan(frames.front(), percepts.front(), percepts.back(), task, model, sums);
   return sums;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -40,6 +41,75 @@ std::vector<Value> without(std::vector<Value> values, std::size_t at) {
   values.erase(values.begin() + static_cast<std::ptrdiff_t>(at));
   return values;
 }
+
+/// A plan on its way to its frames.
+struct PlanDrawing {
+  RenderQuery query;
+  std::vector<std::size_t> moved;  ///< [actions], position in the percept of what each moves
+  std::vector<Tokens> tokens;      ///< of each object, after the steps predicted so far
+  std::vector<Symbols> symbols;    ///< of each object
+  std::vector<Tokens> predicted;   ///< of what each step moves, after it
+  std::vector<DrawnObject> drawn;  ///< the same objects
+  std::optional<Background> background;
+  std::vector<RgbdImage> frames;
+
+  explicit PlanDrawing(const RenderQuery& of) : query(of), moved(of.plan.moved) {
+    const Percept& percept = query.percept;
+    const Plan& plan = query.plan;
+    const std::size_t at = percept.position(query.target);
+    if (at == percept.instances.size())
+      throw std::invalid_argument("Model::render: instance " + std::to_string(query.target) +
+                                  " is not in the picture");
+    if (plan.predicted.size() != plan.actions.size())
+      throw std::invalid_argument("Model::render: " + std::to_string(plan.predicted.size()) +
+                                  " predicted states for " + std::to_string(plan.actions.size()) +
+                                  " actions");
+    moved.resize(plan.actions.size(), at);
+    for (const std::size_t object : moved)
+      if (object >= percept.instances.size())
+        throw std::invalid_argument("Model::render: the plan moves object " +
+                                    std::to_string(object) + " of " +
+                                    std::to_string(percept.instances.size()));
+    tokens = percept.tokens;
+    for (const SymbolBelief& belief : percept.beliefs) symbols.push_back(mostProbable(belief));
+  }
+
+  /// What the causal transition is asked for the next step.
+  TransitionInput nextStep(const SymbolicModel& model) const {
+    const std::size_t object = moved[predicted.size()];
+    const Action action = query.plan.actions[predicted.size()];
+    return {tokens[object],
+            effectContext(model, action, symbols.at(object), without(symbols, object),
+                          without(tokens, object)),
+            action};
+  }
+
+  /// Takes its answer, without what reads as another symbol than the plan predicts.
+  void take(const Tokens& next, const Symbolizer& symbolizer) {
+    const std::size_t object = moved[predicted.size()];
+    tokens[object] = next;
+    symbols[object] = query.plan.predicted[predicted.size()];
+    const Symbols read = symbolizer.nearest(next);
+    for (const Concept which : kConcepts) {
+      const std::size_t k = index(which);
+      if (read[k] != symbols[object][k])
+        tokens[object].row(static_cast<Eigen::Index>(k)) = symbolizer.clusters(which).centers.row(
+            static_cast<Eigen::Index>(index(symbols[object][k])));
+    }
+    predicted.push_back(tokens[object]);
+  }
+
+  /// What is to be drawn of the next steps that move one object, which come into one background.
+  std::vector<SynthesisInput> nextTurn() {
+    const std::size_t first = frames.size();
+    const std::uint8_t instance = query.percept.instances[moved[first]];
+    background = backgroundWithout(first == 0 ? query.initial : frames.back(), instance);
+    std::vector<SynthesisInput> inputs;
+    for (std::size_t step = first; step < moved.size() && moved[step] == moved[first]; ++step)
+      inputs.push_back({*background, instance, drawn[step]});
+    return inputs;
+  }
+};
 
 }  // namespace
 
@@ -107,53 +177,60 @@ std::vector<Percept> Model::perceive(std::span<const RgbdImage> images) const {
 
 std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& percept,
                                      std::uint8_t target, const Plan& plan) const {
-  const std::size_t at = percept.position(target);
-  if (at == percept.instances.size())
-    throw std::invalid_argument("Model::render: instance " + std::to_string(target) +
-                                " is not in the picture");
-  if (plan.predicted.size() != plan.actions.size())
-    throw std::invalid_argument("Model::render: " + std::to_string(plan.predicted.size()) +
-                                " predicted states for " + std::to_string(plan.actions.size()) +
-                                " actions");
+  const RenderQuery query{initial, percept, target, plan};
+  return std::move(render({&query, 1}).front());
+}
+
+std::vector<std::vector<RgbdImage>> Model::render(std::span<const RenderQuery> queries) const {
   const TorchThreads one_thread(1);
-  const Symbolizer& symbolizer = parts_->symbols.symbolizer;
-  std::vector<Tokens> tokens = percept.tokens;
-  std::vector<Symbols> symbols;
-  for (const SymbolBelief& belief : percept.beliefs) symbols.push_back(mostProbable(belief));
-  std::vector<std::size_t> moved = plan.moved;
-  moved.resize(plan.actions.size(), at);
-  for (const std::size_t object : moved)
-    if (object >= percept.instances.size())
-      throw std::invalid_argument("Model::render: the plan moves object " + std::to_string(object) +
-                                  " of " + std::to_string(percept.instances.size()));
-  std::vector<Tokens> predicted;
-  for (std::size_t step = 0; step < plan.actions.size(); ++step) {
-    const Action action = plan.actions[step];
-    const std::size_t object = moved[step];
-    const Tokens context = effectContext(parts_->symbolic, action, symbols.at(object),
-                                         without(symbols, object), without(tokens, object));
-    tokens[object] = parts_->transition.apply(tokens[object], context, action);
-    symbols[object] = plan.predicted[step];
-    const Symbols read = symbolizer.nearest(tokens[object]);
-    for (const Concept which : kConcepts) {
-      const std::size_t k = index(which);
-      if (read[k] != symbols[object][k])
-        tokens[object].row(static_cast<Eigen::Index>(k)) = symbolizer.clusters(which).centers.row(
-            static_cast<Eigen::Index>(index(symbols[object][k])));
+  std::vector<PlanDrawing> drawings(queries.begin(), queries.end());
+
+  // Each step starts from the tokens of the one before.
+  while (true) {
+    std::vector<TransitionInput> inputs;
+    std::vector<PlanDrawing*> asking;
+    for (PlanDrawing& drawing : drawings) {
+      if (drawing.predicted.size() == drawing.moved.size()) continue;
+      inputs.push_back(drawing.nextStep(parts_->symbolic));
+      asking.push_back(&drawing);
     }
-    predicted.push_back(tokens[object]);
+    if (inputs.empty()) break;
+    const std::vector<Tokens> results = parts_->transition.apply(inputs);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      asking[i]->take(results[i], parts_->symbols.symbolizer);
   }
-  // As long as one object moves, it is drawn into the same picture.
-  std::optional<Background> background;
-  std::vector<RgbdImage> frames;
-  for (const DrawnObject& drawn : parts_->learner.draw(predicted)) {
-    const std::size_t step = frames.size();
-    const std::uint8_t instance = percept.instances[moved[step]];
-    if (step == 0 || moved[step] != moved[step - 1])
-      background = backgroundWithout(step == 0 ? initial : frames.back(), instance);
-    frames.push_back(parts_->transition.synthesize(*background, instance, drawn));
+
+  std::vector<Tokens> tokens;
+  for (const PlanDrawing& drawing : drawings)
+    tokens.insert(tokens.end(), drawing.predicted.begin(), drawing.predicted.end());
+  std::vector<DrawnObject> objects = parts_->learner.draw(tokens);
+  auto object = std::make_move_iterator(objects.begin());
+  for (PlanDrawing& drawing : drawings) {
+    const auto last = object + static_cast<std::ptrdiff_t>(drawing.moved.size());
+    drawing.drawn.assign(object, last);
+    object = last;
   }
-  return frames;
+
+  // Each turn to another object starts from the last frame before it.
+  while (true) {
+    std::vector<SynthesisInput> inputs;
+    std::vector<PlanDrawing*> asking;
+    for (PlanDrawing& drawing : drawings) {
+      if (drawing.frames.size() == drawing.moved.size()) continue;
+      for (const SynthesisInput& input : drawing.nextTurn()) {
+        inputs.push_back(input);
+        asking.push_back(&drawing);
+      }
+    }
+    if (inputs.empty()) break;
+    std::vector<RgbdImage> frames = parts_->transition.synthesize(inputs);
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      asking[i]->frames.push_back(std::move(frames[i]));
+  }
+
+  std::vector<std::vector<RgbdImage>> result;
+  for (PlanDrawing& drawing : drawings) result.push_back(std::move(drawing.frames));
+  return result;
 }
 
 std::filesystem::path findModel(const std::string& name, const std::filesystem::path& base) {

@@ -81,6 +81,36 @@ TEST(Model, DrawsEveryStepOfAPlan) {
   EXPECT_THROW(shippedModel().render(image, percept, 9, plan), std::invalid_argument);
 }
 
+TEST(Model, DrawsManyPlansAsEachAlone) {
+  Renderer renderer;
+  const RgbdImage image = renderer.render(cupAndPot(), {11, {}});
+  const Percept percept = shippedModel().perceive(image);
+  const Symbols cup = mostProbable(percept.beliefs[0]), pot = mostProbable(percept.beliefs[1]);
+  Plan both;  // three turns
+  both.actions = {Action::kRotateLeft, Action::kMoveFront, Action::kMoveFront, Action::kRotateLeft};
+  both.predicted = {cup, pot, pot, cup};
+  both.moved = {0, 1, 1, 0};
+  Plan one;
+  one.actions = {Action::kRotateLeft};
+  one.predicted = {pot};
+  const Plan none;
+  const std::vector<RenderQuery> queries{
+      {image, percept, 1, both}, {image, percept, 2, one}, {image, percept, 1, none}};
+  const auto drawn = shippedModel().render(queries);
+  ASSERT_EQ(drawn.size(), queries.size());
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const RenderQuery& query = queries[i];
+    const auto alone = shippedModel().render(image, percept, query.target, query.plan);
+    ASSERT_EQ(drawn[i].size(), query.plan.actions.size());
+    ASSERT_EQ(alone.size(), drawn[i].size());
+    for (std::size_t step = 0; step < alone.size(); ++step) {
+      EXPECT_EQ(drawn[i][step].rgb, alone[step].rgb) << i << ", " << step;
+      EXPECT_EQ(drawn[i][step].mask, alone[step].mask) << i << ", " << step;
+    }
+  }
+  EXPECT_NE(drawn[0][0].mask, image.mask);
+}
+
 TEST(Model, RefusesAFolderWithAFlippedByte) {
   const TemporaryFolder folder;
   std::filesystem::copy(CONCEPTPLAN_SHIPPED_MODEL, folder.path(),

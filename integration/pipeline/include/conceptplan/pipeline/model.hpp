@@ -31,6 +31,14 @@ struct Percept {
   std::size_t position(std::uint8_t instance) const;
 };
 
+/// A plan to be drawn, and what it starts from.
+struct RenderQuery {
+  const RgbdImage& initial;
+  const Percept& percept;  ///< of `initial`
+  std::uint8_t target;     ///< instance that the plan moves
+  const Plan& plan;
+};
+
 /// A trained model: reads pictures as symbols and draws what plans will look like. Immutable;
 /// threads may share it. Every call computes with one thread, so that results do not depend on how
 /// many there are.
@@ -67,6 +75,8 @@ class Model {
   /// moves is hidden in the frame; if the plan has no predicted symbols.
   std::vector<RgbdImage> render(const RgbdImage& initial, const Percept& percept,
                                 std::uint8_t target, const Plan& plan) const;
+  /// The same for many plans, all their steps drawn together; [plans], [actions] each.
+  std::vector<std::vector<RgbdImage>> render(std::span<const RenderQuery> queries) const;
 
  private:
   struct Parts;
