@@ -31,8 +31,9 @@ std::vector<const char*> filesOf(TrainingStage stage) {
 }
 
 /// The manifest of well-formed JSON; faults name what is missing or of a wrong type.
-ModelManifest parse(const Json& json, const std::filesystem::path& path,
-                    std::vector<Fault>& faults) {
+/// @param checksum of what the JSON says; one that says none is taken as it is
+ModelManifest parse(const Json& json, const std::string& checksum,
+                    const std::filesystem::path& path, std::vector<Fault>& faults) {
   const auto fault = [&](const std::string& key, const std::string& message) {
     faults.push_back({path.string(), std::nullopt, std::nullopt, key, message});
   };
@@ -42,6 +43,11 @@ ModelManifest parse(const Json& json, const std::filesystem::path& path,
           "expected format " + std::to_string(kModelFormat) + ", found " +
               (json.contains("conceptplan_model") ? json["conceptplan_model"].dump()
                                                   : std::string("none")));
+    return manifest;
+  }
+  if (json.contains("checksum") && json["checksum"] != checksum) {
+    fault("", "is damaged: expected checksum " + json["checksum"].dump() + ", found \"" + checksum +
+                  '"');
     return manifest;
   }
   const auto read = [&](const char* key, auto& into) {
@@ -109,7 +115,7 @@ ModelManifest readModelManifest(const std::filesystem::path& folder) {
   if (!json.is_object())
     throw InputError({{path.string(), std::nullopt, std::nullopt, "", "is not a JSON object"}});
   std::vector<Fault> faults;
-  ModelManifest manifest = parse(json, path, faults);
+  ModelManifest manifest = parse(json, hexadecimal(crc32OfJson(text)), path, faults);
   for (const TrainingStage stage : manifest.stages)
     for (const char* file : filesOf(stage)) {
       const auto file_path = folder / file;
@@ -138,16 +144,17 @@ void writeModelManifest(const std::filesystem::path& folder, ModelManifest manif
     for (const char* file : filesOf(stage))
       manifest.files[file] = hexadecimal(crc32OfFile(folder / file));
   }
-  const Json json{{"conceptplan_model", kModelFormat},
-                  {"name", manifest.name},
-                  {"profile", manifest.profile},
-                  {"encoder", name(manifest.encoder)},
-                  {"seed", manifest.seed},
-                  {"revision", manifest.revision},
-                  {"data", manifest.data},
-                  {"stages", stages},
-                  {"measures", manifest.measures},
-                  {"files", manifest.files}};
+  Json json{{"conceptplan_model", kModelFormat},
+            {"name", manifest.name},
+            {"profile", manifest.profile},
+            {"encoder", name(manifest.encoder)},
+            {"seed", manifest.seed},
+            {"revision", manifest.revision},
+            {"data", manifest.data},
+            {"stages", stages},
+            {"measures", manifest.measures},
+            {"files", manifest.files}};
+  json["checksum"] = hexadecimal(crc32OfJson(json.dump()));
   writeFileAtomically(folder / kModelManifestFile, json.dump(2) + "\n");
 }
 

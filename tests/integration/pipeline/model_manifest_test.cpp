@@ -54,6 +54,21 @@ TEST(ModelManifest, FindsAFlippedByteAndAMissingFileAtOnce) {
                                                HasSubstr("symbols.safetensors"))));
 }
 
+TEST(ModelManifest, FindsAChangeToItself) {
+  const TemporaryFolder folder;
+  writeSample(folder.path());
+  const auto path = folder.path() / kModelManifestFile;
+  std::string text = readFile(path);
+  text.replace(text.find("0.5"), 3, "0.6");
+  writeFileAtomically(path, text);
+  EXPECT_THAT([&] { readModelManifest(folder.path()); },
+              ThrowsMessage<InputError>(HasSubstr("manifest.json: is damaged: expected checksum")));
+  const std::size_t begin = text.find("  \"checksum\"");
+  text.erase(begin, text.find('\n', begin) + 1 - begin);
+  writeFileAtomically(path, text);  // as earlier versions wrote it
+  EXPECT_EQ(readModelManifest(folder.path()).measures.at("validation/accuracy/TYPE"), 0.6);
+}
+
 TEST(ModelManifest, RefusesOtherFormatsAndText) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { readModelManifest(folder.path()); },

@@ -42,7 +42,8 @@ inline constexpr const char* kTransitionsFile = "symbolic_model.json";
 inline constexpr const char* kVictFile = "vict.safetensors";
 inline constexpr const char* kModelManifestFile = "manifest.json";
 
-/// Reads FOLDER/manifest.json and checks that every file it names is there and unchanged.
+/// Reads FOLDER/manifest.json and checks that it and every file that it names is there and
+/// unchanged; for one of an earlier version, which has no checksum of its own, only the files.
 /// @throws InputError with all faults.
 ModelManifest readModelManifest(const std::filesystem::path& folder);
 
