@@ -11,6 +11,7 @@
 #include "conceptplan/learner/torch/concept_trainer.hpp"
 #include "conceptplan/learner/torch/frame_synthesizer.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
+#include "conceptplan/learner/torch/vict_trainer.hpp"
 #include "conceptplan/learner/visual_transition.hpp"
 #include "learner/random_crops.hpp"
 
@@ -35,8 +36,8 @@ void encodeObjects(benchmark::State& state) {
 }
 BENCHMARK(encodeObjects)->Arg(1)->Arg(64)->Name("objects encoded")->UseRealTime();
 
-/// The steps of a plan of four, causal transition, object and frame, of width x height, and the
-/// floor behind the object, which they share.
+/// The steps of plans of four, causal transition, object and frame, of width x height, and the
+/// floor behind the object of each plan, which its steps share; as many plans at once as asked.
 void drawFrames(benchmark::State& state) {
   const ConceptLearner network = learner();
   NamedTensors tensors = tensorsOf(*CausalTransition(), "transition.");
@@ -50,23 +51,37 @@ void drawFrames(benchmark::State& state) {
   image.mask.assign(pixels, 0);
   for (int y = 70; y < 110; ++y)
     for (int x = 70; x < 110; ++x) image.mask[static_cast<std::size_t>(y * width + x)] = 1;
-  const Tokens tokens = network.encode(inputs(1)).front();
-  constexpr int kSteps = 4;
+  const auto plans = static_cast<std::size_t>(state.range(2));
+  const std::vector<Tokens> first = network.encode(inputs(plans));
+  constexpr std::size_t kSteps = 4;
   for (auto _ : state) {
-    std::vector<Tokens> predicted{tokens};
-    for (int step = 0; step < kSteps; ++step)
-      predicted.push_back(transition.apply(predicted.back(), Tokens::Zero(), Action::kMoveRight));
-    const Background background = backgroundWithout(image, 1);
-    for (DrawnObject& object : network.draw(std::span(predicted).subspan(1))) {
-      object.location = {-0.7F, -0.5F, 0};  // pixel (58, 64)
-      benchmark::DoNotOptimize(transition.synthesize(background, 1, object));
+    std::vector<Tokens> last = first, predicted;
+    for (std::size_t step = 0; step < kSteps; ++step) {
+      std::vector<TransitionInput> steps;
+      for (const Tokens& tokens : last)
+        steps.push_back({tokens, Tokens::Zero(), Action::kMoveRight});
+      last = transition.apply(steps);
+      predicted.insert(predicted.end(), last.begin(), last.end());
     }
+    std::vector<Background> backgrounds;
+    for (std::size_t plan = 0; plan < plans; ++plan)
+      backgrounds.push_back(backgroundWithout(image, 1));
+    std::vector<DrawnObject> objects = network.draw(predicted);
+    std::vector<SynthesisInput> frames;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      objects[i].location = {-0.7F, -0.5F, 0};  // pixel (58, 64)
+      frames.push_back({backgrounds[i % plans], 1, objects[i]});
+    }
+    benchmark::DoNotOptimize(transition.synthesize(frames));
   }
-  state.SetItemsProcessed(kSteps * state.iterations());
+  state.SetItemsProcessed(static_cast<std::int64_t>(kSteps * plans) * state.iterations());
 }
 BENCHMARK(drawFrames)
-    ->Args({128, 128})
-    ->Args({kFrameWidth, kFrameHeight})
+    ->ArgNames({"width", "height", "plans"})
+    ->Args({128, 128, 1})
+    ->Args({128, 128, 8})
+    ->Args({kFrameWidth, kFrameHeight, 1})
+    ->Args({kFrameWidth, kFrameHeight, 8})
     ->Name("frames drawn")
     ->UseRealTime();
 
@@ -93,14 +108,18 @@ double secondsOfProducts(std::int64_t images) {
   return seconds;
 }
 
-/// A step of the first phase: no decoder.
-void trainingStep(benchmark::State& state) {
+/// Training pictures that differ in colour and size.
+ConceptImages trainingImages() {
   ConceptImages images;
   for (std::uint8_t color = 0; color < 6; ++color)
     for (std::uint8_t size = 0; size < 4; ++size)
       images.add(encoderInput(coloredBlob(color, 8 + 4 * size)), {0, 0, 0, 0, color, size});
-  const ConceptTrainingOptions options;
-  ConceptTrainer trainer(images, options);
+  return images;
+}
+
+/// Steps of a trainer, with so many examples each. @returns seconds in all
+template <typename Trainer>
+double measureSteps(benchmark::State& state, Trainer& trainer, std::int64_t examples) {
   trainer.step();
   double seconds = 0;
   for (auto _ : state) {
@@ -108,14 +127,96 @@ void trainingStep(benchmark::State& state) {
     trainer.step();
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  const std::int64_t pairs = options.chains * static_cast<std::int64_t>(kNumConcepts);
-  state.SetItemsProcessed(state.iterations() * pairs);
+  state.SetItemsProcessed(state.iterations() * examples);
+  return seconds;
+}
+
+constexpr std::int64_t kPairsOfChain = static_cast<std::int64_t>(kNumConcepts);
+
+/// The first phase before the decoder joins, beside the encoder's matrix products.
+void trainTokens(benchmark::State& state) {
+  const ConceptImages images = trainingImages();
+  const ConceptTrainingOptions options;
+  ConceptTrainer trainer(images, options);
+  const double seconds = measureSteps(state, trainer, options.chains * kPairsOfChain);
   secondsOfProducts(7 * options.chains);
   const double products = secondsOfProducts(7 * options.chains);
   state.counters["share of matrix products' rate"] =
       products * static_cast<double>(state.iterations()) / seconds;
 }
-BENCHMARK(trainingStep)->Name("training pairs")->UseRealTime()->Iterations(10);
+BENCHMARK(trainTokens)->Name("training pairs, tokens")->UseRealTime()->Iterations(10);
+
+/// The first phase with the decoder.
+void trainWithDecoder(benchmark::State& state) {
+  const ConceptImages images = trainingImages();
+  ConceptTrainingOptions options;
+  options.reconstruction_start = 0;
+  ConceptTrainer trainer(images, options);
+  measureSteps(state, trainer, options.chains * kPairsOfChain);
+}
+BENCHMARK(trainWithDecoder)
+    ->Name("training pairs, tokens and decoder")
+    ->UseRealTime()
+    ->Iterations(10);
+
+/// The third phase; with settled boxes, where drawn objects are read again, or not yet.
+void trainDrawer(benchmark::State& state) {
+  const ConceptImages images = trainingImages();
+  ConceptTrainingOptions options;
+  options.encoder_steps = options.sharpening_steps = 0;
+  options.settling = state.range(0) != 0 ? 0 : 1;
+  ConceptTrainer trainer(images, options);
+  measureSteps(state, trainer, options.reconstructed_pairs);
+}
+BENCHMARK(trainDrawer)
+    ->ArgName("settled")
+    ->Arg(0)
+    ->Arg(1)
+    ->Name("training pairs, drawer")
+    ->UseRealTime()
+    ->Iterations(10);
+
+/// A frame with a dark square, as ViCT is trained on.
+SequenceFrame sequenceFrame(int left, const Tokens& tokens) {
+  constexpr std::size_t kPixels = kFrameWidth * kFrameHeight;
+  SequenceFrame frame;
+  frame.rgb.assign(3 * kPixels, 160);
+  frame.floor_rgb = frame.rgb;
+  frame.hole.assign(kPixels, 0);
+  frame.others_mm.assign(kPixels, 0);
+  for (int y = 100; y < 130; ++y)
+    for (int x = left; x < left + 30; ++x) {
+      const auto pixel = static_cast<std::size_t>(y * kFrameWidth + x);
+      frame.hole[pixel] = 1;
+      for (std::size_t channel = 0; channel < 3; ++channel) frame.rgb[3 * pixel + channel] = 40;
+    }
+  frame.x_px = left + 15;
+  frame.y_px = 115;
+  frame.tokens = tokens;
+  return frame;
+}
+
+/// Either phase of ViCT: pairs of tokens, or windows.
+void trainVict(benchmark::State& state) {
+  const ConceptLearner network = learner();
+  const std::vector<Tokens> tokens = network.encode(inputs(2));
+  const std::vector<TaskSequence> sequences{
+      {{sequenceFrame(100, tokens[0]), sequenceFrame(140, tokens[1])},
+       {Action::kMoveRight},
+       {Tokens::Zero()}}};
+  VictTrainingOptions options;
+  const bool windows = state.range(0) != 0;
+  if (windows) options.transition_steps = 0;
+  VictTrainer trainer(sequences, network, options);
+  measureSteps(state, trainer, windows ? options.synthesis_batch : options.transition_batch);
+}
+BENCHMARK(trainVict)
+    ->ArgName("windows")
+    ->Arg(0)
+    ->Arg(1)
+    ->Name("training pairs, ViCT")
+    ->UseRealTime()
+    ->Iterations(10);
 
 }  // namespace
 }  // namespace conceptplan
