@@ -16,13 +16,32 @@ struct EvaluateCommandOptions {
   bool frames = false;
 };
 
+Json objectsJson(const ToldObjects& count) {
+  return {{"objects", count.objects}, {"told", count.told}};
+}
+
+/// Percent of the objects, or a dash.
+std::string percentTold(const ToldObjects& count) {
+  if (count.objects == 0) return "-";
+  return decimal(100.0 * static_cast<double>(count.told) / static_cast<double>(count.objects), 1);
+}
+
 Json rowJson(const EvaluationRow& row) {
   Json failures = Json::object();
   for (const auto& [cause, count] : row.failures) failures[cause] = count;
-  return {{"learner", row.learner},       {"planner", row.planner}, {"set", row.set},
-          {"level", row.level},           {"tasks", row.tasks},     {"asacc_top1", row.asacc_top1},
-          {"asacc_top5", row.asacc_top5}, {"ase", row.ase},         {"fsd", row.fsd},
-          {"failures", failures}};
+  return {{"learner", row.learner},
+          {"planner", row.planner},
+          {"set", row.set},
+          {"level", row.level},
+          {"tasks", row.tasks},
+          {"asacc_top1", row.asacc_top1},
+          {"asacc_top5", row.asacc_top5},
+          {"ase", row.ase},
+          {"fsd", row.fsd},
+          {"failures", failures},
+          {"fit_no_symbol",
+           {{"seen_types", objectsJson(row.seen_types)},
+            {"unseen_types", objectsJson(row.unseen_types)}}}};
 }
 
 std::vector<std::string> rowText(const EvaluationRow& row) {
@@ -38,6 +57,8 @@ std::vector<std::string> rowText(const EvaluationRow& row) {
           decimal(row.asacc_top5, 1),
           decimal(row.ase, 3),
           decimal(row.fsd, 3),
+          percentTold(row.seen_types),
+          percentTold(row.unseen_types),
           failures.empty() ? "-" : failures};
 }
 
@@ -79,7 +100,7 @@ int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
   if (session.cancel) throw Interrupted{};
   Json list = Json::array();
   TextTable table{{"planner", "set", "level", "tasks", "ASAcc top-1 %", "ASAcc top-5 %", "ASE",
-                   "FSD", "failures"}};
+                   "FSD", "told unfit %: seen", "unseen types", "failures"}};
   for (const EvaluationRow& row : rows) {
     list.push_back(rowJson(row));
     table.push_back(rowText(row));

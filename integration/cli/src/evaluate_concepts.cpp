@@ -22,6 +22,7 @@ int evaluateConceptSet(const std::string& folder, const std::string& model, Sess
     table.push_back({std::string(name(which)), decimal(100 * accuracy, 2), decimal(error, 4)});
   }
   table.push_back({"all six", decimal(100 * result.all_right, 2), ""});
+  table.push_back({"told to fit no symbol", decimal(100 * result.fit_no_symbol, 2), ""});
 
   const DisentanglementScores& scores = result.disentanglement;
   Json measures = Json::object();
@@ -45,6 +46,7 @@ int evaluateConceptSet(const std::string& folder, const std::string& model, Sess
                              {"pictures", result.pictures},
                              {"concepts", concepts},
                              {"all_right", result.all_right},
+                             {"fit_no_symbol", result.fit_no_symbol},
                              {"measures", measures}});
   return kDone;
 }

@@ -48,9 +48,11 @@ ConceptEvaluation evaluateConcepts(const ConceptDataset& data, const Model& mode
   if (count == 0) return evaluation;
   std::array<std::vector<double>, kNumConcepts> confidence;
   std::array<std::vector<bool>, kNumConcepts> right;
-  double all_right = 0;
+  double all_right = 0, fit_no_symbol = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const SymbolBelief belief = model.symbols().symbolizer.belief(readings.tokens[i]);
+    if (std::ranges::count(model.symbols().symbolizer.fits(readings.tokens[i]), false) > 0)
+      fit_no_symbol += 1;
     bool all = true;
     for (std::size_t k = 0; k < kNumConcepts; ++k) {
       const auto best = std::max_element(belief[k].begin(), belief[k].end());
@@ -69,6 +71,7 @@ ConceptEvaluation evaluateConcepts(const ConceptDataset& data, const Model& mode
   }
   evaluation.pictures = count;
   evaluation.all_right = all_right / static_cast<double>(count);
+  evaluation.fit_no_symbol = fit_no_symbol / static_cast<double>(count);
   evaluation.disentanglement = tokenScores(readings.tokens, readings.values, options.seed);
   return evaluation;
 }

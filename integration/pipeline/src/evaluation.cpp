@@ -14,11 +14,32 @@
 namespace conceptplan {
 namespace {
 
-/// The problem of a task's pictures; nothing if the target is hidden in one of them.
-std::optional<SymbolicProblem> readProblem(const TaskDataset& tasks, const Task& task,
-                                           const Model& model) {
-  const Percept initial = model.perceive(tasks.frame(task, 0));
-  const Percept goal = model.perceive(tasks.frame(task, static_cast<int>(task.reference.size())));
+/// What becomes of one task.
+struct TaskResult {
+  std::vector<Evaluation> plans;  ///< of each planner
+  ToldObjects seen_types, unseen_types;
+};
+
+/// Counts the objects of the first picture.
+void countObjects(const Task& task, const Percept& initial, TaskResult& result) {
+  for (std::size_t i = 0; i < initial.instances.size(); ++i) {
+    const std::size_t at = initial.instances[i] - 1U;
+    if (at >= task.initial.objects.size()) continue;
+    const bool seen = static_cast<std::size_t>(task.initial.objects[at].type) < kNumSeenTypes;
+    ToldObjects& count = seen ? result.seen_types : result.unseen_types;
+    ++count.objects;
+    if (std::ranges::count(initial.fits[i], false) > 0) ++count.told;
+  }
+}
+
+void add(const ToldObjects& part, ToldObjects& sum) {
+  sum.objects += part.objects;
+  sum.told += part.told;
+}
+
+/// The problem that two pictures pose; nothing if the target is hidden in one of them.
+std::optional<SymbolicProblem> readProblem(const Task& task, const Percept& initial,
+                                           const Percept& goal) {
   try {
     return problemOf(initial, goal, static_cast<std::uint8_t>(task.initial.target + 1));
   } catch (const std::invalid_argument&) {
@@ -27,7 +48,7 @@ std::optional<SymbolicProblem> readProblem(const TaskDataset& tasks, const Task&
 }
 
 EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& planner,
-                    const std::vector<std::vector<Evaluation>>& results, std::size_t column) {
+                    const std::vector<TaskResult>& results, std::size_t column) {
   EvaluationRow row;
   row.planner = planner;
   row.set = setName(tasks.options());
@@ -35,7 +56,9 @@ EvaluationRow rowOf(const TaskDataset& tasks, int level, const std::string& plan
   double top1 = 0, top5 = 0, efficiency = 0, distance = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (tasks.tasks()[i].level != level) continue;
-    const Evaluation& result = results[i][column];
+    const Evaluation& result = results[i].plans[column];
+    add(results[i].seen_types, row.seen_types);
+    add(results[i].unseen_types, row.unseen_types);
     ++row.tasks;
     distance += result.best.final_distance;
     top5 += result.top5 ? 1 : 0;
@@ -71,21 +94,25 @@ std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model
   for (const std::string& planner : options.planners) planners.push_back(registry.make(planner));
 
   const std::size_t total = tasks.tasks().size();
-  std::vector<std::vector<Evaluation>> results(total, std::vector<Evaluation>(planners.size()));
+  std::vector<TaskResult> results(total);
   const FclValidity validity;
   std::size_t done = 0;
   std::mutex mutex;
   const auto evaluateTask = [&](std::size_t i) {
     const Task& task = tasks.tasks()[i];
-    const auto problem = readProblem(tasks, task, model);
+    TaskResult& result = results[i];
+    const Percept initial = model.perceive(tasks.frame(task, 0));
+    const Percept goal = model.perceive(tasks.frame(task, static_cast<int>(task.reference.size())));
+    countObjects(task, initial, result);
+    const auto problem = readProblem(task, initial, goal);
     std::optional<SymbolGraph> graph;
     if (problem) graph = compile(model.symbolic(), *problem, validity);
-    for (std::size_t p = 0; p < planners.size(); ++p) {
+    for (const std::unique_ptr<Planner>& planner : planners) {
       PlanQuery query;
       query.top = kTopPlans;
       query.seed = options.seed;
-      results[i][p] =
-          evaluationOf(task, graph ? planners[p]->solve(*graph, query).plans : std::vector<Plan>());
+      result.plans.push_back(
+          evaluationOf(task, graph ? planner->solve(*graph, query).plans : std::vector<Plan>()));
     }
     const std::scoped_lock lock(mutex);
     if (options.progress) options.progress(++done, total);

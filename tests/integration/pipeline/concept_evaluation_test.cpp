@@ -48,6 +48,7 @@ TEST_F(ShippedConcepts, AreReadRightAndApart) {
   }
   EXPECT_LE(result.all_right, least);
   EXPECT_GT(result.all_right, 0.98);
+  EXPECT_LT(result.fit_no_symbol, 0.01);
   EXPECT_GT(result.disentanglement.dci.disentanglement, 0.9);
   EXPECT_GT(result.disentanglement.factor_vae, 0.95);
   EXPECT_EQ(result.disentanglement.dci.importance.rows(), 6);

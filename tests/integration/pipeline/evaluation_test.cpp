@@ -9,10 +9,11 @@
 namespace conceptplan {
 namespace {
 
-TaskDataset smallSet(const std::filesystem::path& folder) {
+TaskDataset smallSet(const std::filesystem::path& folder, ObjectSet objects = ObjectSet::kSeen) {
   TaskDatasetOptions options;
   options.levels = {1, 3};
   options.count = 4;
+  options.objects = objects;
   options.split = Split::kValidation;
   options.frames = Frames::kEnds;
   options.seed = 99;
@@ -48,6 +49,30 @@ TEST(Evaluate, GivesARowForEachPlannerAndLevelAtAnyNumberOfJobs) {
     EXPECT_EQ(again[i].ase, rows[i].ase);
     EXPECT_EQ(again[i].fsd, rows[i].fsd);
   }
+}
+
+/// An object that fits no cluster is told, not forced: of unseen types many, of seen ones hardly
+/// any.
+TEST(Evaluate, TellsHowManyObjectsFitNoSymbol) {
+  const TemporaryFolder folder;
+  const Model model(CONCEPTPLAN_SHIPPED_MODEL);
+  const auto count = [&](ObjectSet objects) {
+    const TaskDataset tasks = smallSet(folder.path() / name(objects), objects);
+    return evaluate(tasks, model, PlannerRegistry::standard(), {});
+  };
+  std::size_t objects = 0, told = 0;
+  for (const EvaluationRow& row : count(ObjectSet::kSeen)) {
+    EXPECT_EQ(row.unseen_types.objects, 0U);
+    objects += row.seen_types.objects;
+    told += row.seen_types.told;
+  }
+  EXPECT_GE(objects, 16U);  // level 3 has a dyer and obstacles
+  EXPECT_LE(told, 1U);
+  const auto rows = count(ObjectSet::kUnseen);
+  EXPECT_EQ(rows[0].unseen_types.objects, 4U);  // the targets alone
+  EXPECT_GE(rows[0].unseen_types.told + rows[1].unseen_types.told, 2U);
+  EXPECT_GE(rows[1].seen_types.objects, 4U);  // the dyers
+  EXPECT_LE(rows[1].seen_types.told, 1U);
 }
 
 TEST(Evaluate, EndsWhenCancelledAndRefusesUnknownPlanners) {

@@ -25,7 +25,8 @@ struct ConceptEvaluation {
   std::size_t pictures = 0;  ///< 0 if cancelled
   /// Share of pictures whose nearest symbol stands for the true value.
   std::array<double, kNumConcepts> accuracy{};
-  double all_right = 0;  ///< share of pictures with all six right
+  double all_right = 0;      ///< share of pictures with all six right
+  double fit_no_symbol = 0;  ///< share with a token that fits none, see `Symbolizer::fits`
   /// Expected calibration error of the symbols' probabilities, see `calibrationError`. A value for
   /// which no symbol stands counts as told wrongly.
   std::array<double, kNumConcepts> calibration_error{};

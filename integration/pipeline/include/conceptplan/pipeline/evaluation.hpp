@@ -24,6 +24,13 @@ struct EvaluationOptions {
 /// What a set was drawn with, as "test/seen/standard".
 std::string setName(const TaskDatasetOptions& options);
 
+/// Objects in the first pictures of tasks, and how many of them are told to fit no symbol of some
+/// concept, see `Symbolizer::fits`.
+struct ToldObjects {
+  std::size_t objects = 0;
+  std::size_t told = 0;
+};
+
 /// The measures of one planner on the tasks of one level. Source: "Evaluation metrics", Sec. IV of
 /// arXiv 2310.03325.
 struct EvaluationRow {
@@ -37,6 +44,8 @@ struct EvaluationRow {
   double ase = 0;         ///< mean efficiency of the first plans that succeed; 0 if none does
   double fsd = 0;         ///< mean distance of the last position from the goal, cells
   std::map<std::string, std::size_t> failures;  ///< of first plans, by cause
+  ToldObjects seen_types;                       ///< of types that training had; for any planner
+  ToldObjects unseen_types;                     ///< of the other types
 };
 
 /// Reads the first and the last picture of every task, plans, and judges in the simulator.
