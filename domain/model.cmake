@@ -1,15 +1,17 @@
 set(model_headers
   include/conceptplan/domain/model/action_legality.hpp
   include/conceptplan/domain/model/context_feature.hpp
+  include/conceptplan/domain/model/outline.hpp
   include/conceptplan/domain/model/symbol_grounding.hpp
   include/conceptplan/domain/model/symbolic_model.hpp
   include/conceptplan/domain/model/transition_model.hpp
-  include/conceptplan/domain/model/upright_cylinder.hpp)
+  include/conceptplan/domain/model/upright_prism.hpp)
 set(model_sources
   src/model/action_legality.cpp
   src/model/context_feature.cpp
   src/model/model_description.cpp
+  src/model/outline.cpp
   src/model/symbol_grounding.cpp
   src/model/symbolic_model_file.cpp
   src/model/transition_model.cpp
-  src/model/upright_cylinder.cpp)
+  src/model/upright_prism.cpp)

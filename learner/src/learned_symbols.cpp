@@ -10,6 +10,9 @@
 namespace conceptplan {
 namespace {
 
+/// Of one footprint: its supports and its height.
+constexpr std::size_t kFootprintNumbers = Outline::kDirections + 1;
+
 std::string prefix(Concept which) { return "symbols." + std::string(name(which)) + "."; }
 
 NamedTensor vectorOf(const std::vector<int>& numbers) {
@@ -88,13 +91,17 @@ NamedTensors tensorsOf(const LearnedSymbols& symbols) {
   tensors["grounding.columns"] = vectorOf(symbols.grounding.columns);
   tensors["grounding.rows"] = vectorOf(symbols.grounding.rows);
   NamedTensor& footprints = tensors["grounding.footprints"];
-  footprints.shape = {static_cast<std::int64_t>(symbols.grounding.footprints.size()),
-                      static_cast<std::int64_t>(symbols.grounding.footprints.front().size()), 2};
-  for (const auto& of_type : symbols.grounding.footprints)
-    for (const Footprint& footprint : of_type) {
-      footprints.values.push_back(static_cast<float>(footprint.radius_m));
-      footprints.values.push_back(static_cast<float>(footprint.height_m));
-    }
+  const auto& table = symbols.grounding.footprints;
+  footprints.shape = {static_cast<std::int64_t>(table.size()),
+                      static_cast<std::int64_t>(table.front().size()),
+                      static_cast<std::int64_t>(table.front().front().size()), kFootprintNumbers};
+  for (const auto& of_type : table)
+    for (const auto& of_size : of_type)
+      for (const Footprint& footprint : of_size) {
+        for (const double support_m : footprint.outline.support_m)
+          footprints.values.push_back(static_cast<float>(support_m));
+        footprints.values.push_back(static_cast<float>(footprint.height_m));
+      }
   return tensors;
 }
 
@@ -136,17 +143,21 @@ LearnedSymbols learnedSymbolsFrom(const NamedTensors& tensors, const std::filesy
       reader.integers("grounding.rows", cardinality[index(Concept::kPositionY)], kMostCells);
   const std::size_t types = cardinality[index(Concept::kType)];
   const std::size_t sizes = cardinality[index(Concept::kSize)];
-  const NamedTensor* footprints = reader.find("grounding.footprints", 3);
-  if (footprints != nullptr && footprints->values.size() == 2 * types * sizes) {
+  const std::size_t rotations = cardinality[index(Concept::kRotation)];
+  const NamedTensor* footprints = reader.find("grounding.footprints", 4);
+  if (footprints != nullptr &&
+      footprints->values.size() == types * sizes * rotations * kFootprintNumbers) {
     const float* from = footprints->values.data();
-    grounding.footprints.assign(types, std::vector<Footprint>(sizes));
+    grounding.footprints = uniformFootprints(cardinality, {});
     for (auto& of_type : grounding.footprints)
-      for (Footprint& footprint : of_type) {
-        footprint = {from[0], from[1]};
-        from += 2;
-      }
+      for (auto& of_size : of_type)
+        for (Footprint& footprint : of_size) {
+          std::copy_n(from, Outline::kDirections, footprint.outline.support_m.begin());
+          footprint.height_m = from[Outline::kDirections];
+          from += kFootprintNumbers;
+        }
   } else if (footprints != nullptr) {
-    reader.fault("grounding.footprints", "expected [types, sizes, 2]");
+    reader.fault("grounding.footprints", "expected [types, sizes, rotations, 17]");
   }
   reader.throwIfFaulty();
   grounding.names = symbolNames(values);

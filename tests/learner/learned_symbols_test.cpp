@@ -23,7 +23,7 @@ LearnedSymbols sample() {
   SymbolGrounding grounding;
   grounding.columns = {2, 0, 1};
   grounding.rows = {4, 3, 2, 1, 0};
-  grounding.footprints.assign(8, std::vector<Footprint>(4, {0.0625, 0.125}));
+  grounding.footprints = uniformFootprints(kConceptCardinality, {outlineOfDisc(0.0625), 0.125});
   grounding.names = symbolNames(values);
   return {Symbolizer(clusters), grounding, values};
 }

@@ -56,7 +56,7 @@ GridWorld gridWorld(int columns, int rows, int rotations, double obstacle_share,
   grounding.rows.resize(height);
   std::iota(grounding.columns.begin(), grounding.columns.end(), 0);
   std::iota(grounding.rows.begin(), grounding.rows.end(), 0);
-  grounding.footprints = {{{0.05, 0.1}}};
+  grounding.footprints = uniformFootprints(cardinality, {outlineOfDisc(0.05), 0.1});
 
   const auto object = [&](std::size_t x, std::size_t y, std::size_t rotation) {
     Symbols symbols{};

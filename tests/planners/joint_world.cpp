@@ -175,7 +175,7 @@ JointWorld dyerWorld(std::uint64_t seed) {
       1};
 
   SymbolGrounding grounding = grid.model.grounding;
-  grounding.footprints = {{{0.05, 0.1}}, {{0.05, 0.1}}};
+  grounding.footprints = uniformFootprints(cardinality, {outlineOfDisc(0.05), 0.1});
   RandomStream draws({seed, 29});
   const std::vector<std::size_t> starts = shuffled(6, draws);
   std::vector<std::size_t> goals = shuffled(6, draws);

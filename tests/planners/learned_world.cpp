@@ -74,8 +74,10 @@ SymbolGrounding Relabelling::grounding() const {
   }
   for (std::size_t type = 0; type < 8; ++type) {
     for (std::size_t size = 0; size < 4; ++size) {
-      grounding.footprints[at(Concept::kType, type)][at(Concept::kSize, size)] =
-          standard.footprints[type][size];
+      for (std::size_t rotation = 0; rotation < 4; ++rotation) {
+        grounding.footprints[at(Concept::kType, type)][at(Concept::kSize, size)][at(
+            Concept::kRotation, rotation)] = standard.footprints[type][size][rotation];
+      }
     }
   }
   return grounding;

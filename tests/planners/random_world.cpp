@@ -71,7 +71,7 @@ SymbolicModel drawnModel(Draws& draws) {
   SymbolGrounding grounding;
   grounding.columns = {0, 1, 2};
   grounding.rows = {0, 1};
-  grounding.footprints = {{{0.05, 0.1}}};
+  grounding.footprints = uniformFootprints(kCardinality, {outlineOfDisc(0.05), 0.1});
   return {grounding, TransitionModel(kCardinality, effects), ActionLegality(kCardinality, legality),
           ModelEvidence{}};
 }

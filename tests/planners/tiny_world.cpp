@@ -28,7 +28,7 @@ SymbolicModel tinyModel() {
   SymbolGrounding grounding;
   grounding.columns = {0, 1, 2};
   grounding.rows = {0};
-  grounding.footprints = {{{0.05, 0.1}}, {{0.05, 0.1}}};
+  grounding.footprints = uniformFootprints(kTinyCardinality, {outlineOfDisc(0.05), 0.1});
   return {grounding, TransitionModel(kTinyCardinality, effects),
           ActionLegality(kTinyCardinality, legality), ModelEvidence{}};
 }

@@ -1,16 +1,21 @@
 #include "conceptplan/domain/model/symbol_grounding.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace conceptplan {
 namespace {
 
+void checkSize(const std::string& what, std::size_t expected, std::size_t found,
+               std::vector<std::string>& faults) {
+  if (found == expected) return;
+  faults.push_back(what + ": expected " + std::to_string(expected) + " entries, found " +
+                   std::to_string(found));
+}
+
 void checkAxis(const char* what, const std::vector<int>& cells, std::size_t symbols,
                std::vector<std::string>& faults) {
-  if (cells.size() != symbols) {
-    faults.push_back(std::string(what) + ": expected " + std::to_string(symbols) +
-                     " entries, found " + std::to_string(cells.size()));
-  }
+  checkSize(what, symbols, cells.size(), faults);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] < 0) {
       faults.push_back(std::string(what) + "[" + std::to_string(i) +
@@ -21,7 +26,38 @@ void checkAxis(const char* what, const std::vector<int>& cells, std::size_t symb
 
 bool isLength(double value_m) { return std::isfinite(value_m) && value_m > 0; }
 
+constexpr double kTight_m = 1e-6;  // of numbers that were stored with seven digits
+
+void checkFootprint(const std::string& what, const Footprint& footprint,
+                    std::vector<std::string>& faults) {
+  const auto& support_m = footprint.outline.support_m;
+  if (!isLength(footprint.height_m)) {
+    faults.push_back(what + ": expected a height > 0 m, found " +
+                     std::to_string(footprint.height_m));
+  }
+  if (!std::all_of(support_m.begin(), support_m.end(), isLength)) {
+    faults.push_back(what + ": expected supports > 0 m");
+    return;
+  }
+  const Outline tight = tightened(footprint.outline);
+  for (std::size_t k = 0; k < Outline::kDirections; ++k) {
+    if (support_m[k] > tight.support_m[k] + kTight_m) {
+      faults.push_back(what + ": expected an outline that reaches its support of " +
+                       std::to_string(support_m[k]) + " m in direction " + std::to_string(k) +
+                       ", the others leave it " + std::to_string(tight.support_m[k]) + " m");
+      return;
+    }
+  }
+}
+
 }  // namespace
+
+FootprintTable uniformFootprints(const ConceptCardinality& cardinality,
+                                 const Footprint& footprint) {
+  const std::vector<Footprint> of_size(cardinality[index(Concept::kRotation)], footprint);
+  const std::vector<std::vector<Footprint>> of_type(cardinality[index(Concept::kSize)], of_size);
+  return FootprintTable(cardinality[index(Concept::kType)], of_type);
+}
 
 Cell SymbolGrounding::cell(const Symbols& symbols) const {
   return {columns[index(symbols[index(Concept::kPositionX)])],
@@ -29,7 +65,8 @@ Cell SymbolGrounding::cell(const Symbols& symbols) const {
 }
 
 const Footprint& SymbolGrounding::footprint(const Symbols& symbols) const {
-  return footprints[index(symbols[index(Concept::kType)])][index(symbols[index(Concept::kSize)])];
+  return footprints[index(symbols[index(Concept::kType)])][index(symbols[index(Concept::kSize)])]
+                   [index(symbols[index(Concept::kRotation)])];
 }
 
 std::string SymbolGrounding::name(Concept which, SymbolId symbol) const {
@@ -44,21 +81,17 @@ std::vector<std::string> SymbolGrounding::faults(const ConceptCardinality& cardi
   checkAxis("rows", rows, cardinality[index(Concept::kPositionY)], found);
   const std::size_t types = cardinality[index(Concept::kType)];
   const std::size_t sizes = cardinality[index(Concept::kSize)];
-  if (footprints.size() != types) {
-    found.push_back("footprints: expected " + std::to_string(types) + " rows, found " +
-                    std::to_string(footprints.size()));
-  }
+  const std::size_t rotations = cardinality[index(Concept::kRotation)];
+  checkSize("footprints", types, footprints.size(), found);
   for (std::size_t type = 0; type < footprints.size(); ++type) {
-    const std::string row = "footprints[" + std::to_string(type) + "]";
-    if (footprints[type].size() != sizes) {
-      found.push_back(row + ": expected " + std::to_string(sizes) + " entries, found " +
-                      std::to_string(footprints[type].size()));
-    }
-    for (const Footprint& footprint : footprints[type]) {
-      if (!isLength(footprint.radius_m) || !isLength(footprint.height_m)) {
-        found.push_back(row + ": expected radius and height > 0 m, found " +
-                        std::to_string(footprint.radius_m) + " and " +
-                        std::to_string(footprint.height_m));
+    const std::string of_type = "footprints[" + std::to_string(type) + "]";
+    checkSize(of_type, sizes, footprints[type].size(), found);
+    for (std::size_t size = 0; size < footprints[type].size(); ++size) {
+      const std::string of_size = of_type + "[" + std::to_string(size) + "]";
+      checkSize(of_size, rotations, footprints[type][size].size(), found);
+      for (std::size_t rotation = 0; rotation < footprints[type][size].size(); ++rotation) {
+        checkFootprint(of_size + "[" + std::to_string(rotation) + "]",
+                       footprints[type][size][rotation], found);
       }
     }
   }
@@ -81,9 +114,10 @@ SymbolGrounding standardGrounding() {
   for (std::size_t type = 0; type < kNumSeenTypes; ++type) {
     grounding.names[index(Concept::kType)].emplace_back(
         conceptplan::name(static_cast<ObjectType>(type)));
-    std::vector<Footprint>& row = grounding.footprints.emplace_back();
+    auto& of_type = grounding.footprints.emplace_back();
     for (int size = 0; size < 4; ++size) {
-      row.push_back({kLargestRadius_m * sizeScale(size), kLargestHeight_m * sizeScale(size)});
+      of_type.emplace_back(4, Footprint{outlineOfDisc(kLargestRadius_m * sizeScale(size)),
+                                        kLargestHeight_m * sizeScale(size)});
     }
   }
   for (int column = 0; column < 3; ++column) {

@@ -43,9 +43,13 @@ Json countsJson(const ContextCounts& counts) {
 Json groundingJson(const SymbolGrounding& grounding) {
   Json footprints = Json::array();
   for (const auto& type : grounding.footprints) {
-    Json& row = footprints.emplace_back(Json::array());
-    for (const Footprint& footprint : type) {
-      row.push_back({{"radius_m", footprint.radius_m}, {"height_m", footprint.height_m}});
+    Json& of_type = footprints.emplace_back(Json::array());
+    for (const auto& size : type) {
+      Json& of_size = of_type.emplace_back(Json::array());
+      for (const Footprint& footprint : size) {
+        of_size.push_back(
+            {{"support_m", footprint.outline.support_m}, {"height_m", footprint.height_m}});
+      }
     }
   }
   Json names = Json::object();
@@ -221,8 +225,18 @@ ContextCounts readCounts(Reader& reader, const Json& json, const std::string& ke
 }
 
 Footprint readFootprint(Reader& reader, const Json& json, const std::string& key) {
-  return {reader.number(reader.member(json, key, "radius_m"), key + ".radius_m", 0),
-          reader.number(reader.member(json, key, "height_m"), key + ".height_m", 0)};
+  Footprint footprint;
+  const std::string support_key = key + ".support_m";
+  const std::vector<double> support_m =
+      reader.numbers(reader.member(json, key, "support_m"), support_key);
+  if (support_m.size() == Outline::kDirections) {
+    std::copy(support_m.begin(), support_m.end(), footprint.outline.support_m.begin());
+  } else {
+    reader.fault(support_key, "expected " + std::to_string(Outline::kDirections) +
+                                  " numbers, found " + std::to_string(support_m.size()));
+  }
+  footprint.height_m = reader.number(reader.member(json, key, "height_m"), key + ".height_m", 0);
+  return footprint;
 }
 
 SymbolGrounding readGrounding(Reader& reader, const Json& json,
@@ -236,9 +250,11 @@ SymbolGrounding readGrounding(Reader& reader, const Json& json,
   grounding.rows = reader.list(reader.member(json, key, "rows"), key + ".rows", cell);
   grounding.footprints = reader.list(
       reader.member(json, key, "footprints"), key + ".footprints",
-      [&](const Json& row, const std::string& row_key) {
-        return reader.list(row, row_key, [&](const Json& entry, const std::string& entry_key) {
-          return readFootprint(reader, entry, entry_key);
+      [&](const Json& type, const std::string& type_key) {
+        return reader.list(type, type_key, [&](const Json& size, const std::string& size_key) {
+          return reader.list(size, size_key, [&](const Json& entry, const std::string& entry_key) {
+            return readFootprint(reader, entry, entry_key);
+          });
         });
       });
   const Json& names = reader.member(json, key, "names");

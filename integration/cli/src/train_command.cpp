@@ -38,18 +38,37 @@ std::string labelOf(const TrainingProgress& state) {
          ": " + state.stage;
 }
 
-/// The time left of all stages; empty as long as nothing tells.
-std::string leftInAll(const TrainingProgress& state, double elapsed_s) {
-  if (state.worked <= 0) return "";
-  return durationText(elapsed_s * state.left / state.worked) + " left in all";
-}
+/// Tells the time left of all stages by the pace of the work that is under way, so that it never
+/// contradicts that work's own bar.
+class TimeLeft {
+ public:
+  void begin(const TrainingProgress& state) {
+    start_ = Clock::now();
+    worked_before_ = state.worked;
+  }
+
+  /// Empty as long as nothing tells.
+  std::string inAll(const TrainingProgress& state) {
+    const std::chrono::duration<double> elapsed = Clock::now() - start_;
+    const double worked = state.worked - worked_before_;
+    if (worked > 0) pace_s_ = elapsed.count() / worked;
+    return pace_s_ ? durationText(*pace_s_ * state.left) + " left in all" : "";
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point start_;
+  double worked_before_ = 0;
+  std::optional<double> pace_s_;  // of a percent of the whole
+};
 
 int trainStages(TrainCommandOptions options, Session& session) {
   options.training.seed = session.options.seed;
   options.training.jobs = session.options.jobs;
   std::string label;
   std::optional<Progress> progress;
-  const auto start = std::chrono::steady_clock::now();
+  TimeLeft time_left;
   TrainingControl control;
   control.cancel = &session.cancel;
   control.progress = [&](const TrainingProgress& state) {
@@ -57,9 +76,9 @@ int trainStages(TrainCommandOptions options, Session& session) {
     if (!progress || label != now) {
       label = now;
       progress = session.console.progress(label);
+      time_left.begin(state);
     }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    std::string note = leftInAll(state, elapsed.count());
+    std::string note = time_left.inAll(state);
     if (!state.message.empty()) note += (note.empty() ? "" : "  ") + state.message;
     (*progress)(state.done, state.total, note);
   };

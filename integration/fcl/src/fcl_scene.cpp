@@ -9,87 +9,109 @@
 #include <string>
 #include <utility>
 
-#include "conceptplan/fcl/cylinder_contact.hpp"
-#include "fcl_bodies.hpp"
+#include "conceptplan/fcl/prism_contact.hpp"
+#include "prism_shapes.hpp"
 
 namespace conceptplan {
 
 struct FclScene::Parts {
-  Parts(const Workbench& bench, std::vector<UprightCylinder> cylinders, double margin)
-      : workbench(bench), others(std::move(cylinders)), margin_m(margin) {
+  Parts(const Workbench& bench, std::vector<UprightPrism> prisms, double margin,
+        std::shared_ptr<PrismShapes> known_shapes)
+      : workbench(bench),
+        others(std::move(prisms)),
+        margin_m(margin),
+        shapes(std::move(known_shapes)) {
     const auto unmeasured = std::find_if_not(
-        others.begin(), others.end(), [](const UprightCylinder& body) { return body.measured(); });
+        others.begin(), others.end(), [](const UprightPrism& body) { return body.measured(); });
     first_unmeasured = static_cast<std::size_t>(unmeasured - others.begin());
     if (first_unmeasured < others.size()) return;  // every check fails
     std::vector<fcl::CollisionObjectd*> registered;
-    bodies.reserve(others.size());
-    for (UprightCylinder& other : others) {
-      bodies.push_back(bodyOf(other, 0));
-      bodies.back().setUserData(&other);
-      registered.push_back(&bodies.back());
+    bounds.reserve(others.size());
+    for (UprightPrism& other : others) {
+      bounds.push_back(boundsOf(other, other.p_WCentre, 0));
+      bounds.back().setUserData(&other);
+      registered.push_back(&bounds.back());
     }
     tree.registerObjects(registered);
     tree.setup();
   }
-  Parts(const Parts&) = delete;  // the tree points into the bodies
+  Parts(const Parts&) = delete;  // the tree points into the bounds
   Parts& operator=(const Parts&) = delete;
 
-  /// Marks what the body meets. @throws whatever FCL throws.
-  void markMet(fcl::CollisionObjectd& body, std::vector<bool>& met) const {
+  std::shared_ptr<const fcl::Convexd> shapeOnWay(const UprightPrism& prism,
+                                                 const Eigen::Vector2d& p_WTo) const {
+    const Eigen::Vector2d way = p_WTo - prism.p_WCentre;
+    return way.isZero(0) ? shapes->find(prism.outline, prism.height_m, margin_m)
+                         : sweptShapeOf(prism, way, margin_m);
+  }
+
+  /// Which of the others the prism meets on its way. @throws whatever FCL throws.
+  std::vector<bool> met(const UprightPrism& prism, const Eigen::Vector2d& p_WTo) const {
     struct Query {
-      const UprightCylinder* first;
-      std::vector<bool>& met;
-    } query{others.data(), met};
-    tree.collide(&body, &query, [](fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
-      const auto& asked = *static_cast<Query*>(data);
-      const void* other = a->getUserData() ? a->getUserData() : b->getUserData();
-      const auto i = static_cast<const UprightCylinder*>(other) - asked.first;
-      auto marked = asked.met[static_cast<std::size_t>(i)];
-      if (!marked) marked = collide(*a, *b);
-      return false;  // there may be more
-    });
+      const Parts& parts;
+      const UprightPrism& prism;
+      const Eigen::Vector2d& p_WTo;
+      std::vector<bool> met;
+      std::shared_ptr<const fcl::Convexd> shape;  // made where a box is met
+    } query{*this, prism, p_WTo, std::vector<bool>(others.size(), false), nullptr};
+    fcl::CollisionObjectd asked_bounds = boundsOf(prism, p_WTo, margin_m);
+    tree.collide(&asked_bounds, &query,
+                 [](fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
+                   auto& asked = *static_cast<Query*>(data);
+                   const void* met = a->getUserData() ? a->getUserData() : b->getUserData();
+                   const auto& other = *static_cast<const UprightPrism*>(met);
+                   const Parts& parts = asked.parts;
+                   if (!asked.shape) asked.shape = parts.shapeOnWay(asked.prism, asked.p_WTo);
+                   const auto of_other = parts.shapes->find(other.outline, other.height_m, 0);
+                   asked.met[static_cast<std::size_t>(&other - parts.others.data())] =
+                       collide(*asked.shape, asked.prism.p_WCentre, *of_other, other.p_WCentre);
+                   return false;  // there may be more
+                 });
+    return std::move(query.met);
   }
 
   Workbench workbench;
-  std::vector<UprightCylinder> others;
+  std::vector<UprightPrism> others;
   double margin_m;
   std::size_t first_unmeasured = 0;  // others.size() if there is none
-  std::vector<fcl::CollisionObjectd> bodies;
+  std::shared_ptr<PrismShapes> shapes;
+  std::vector<fcl::CollisionObjectd> bounds;
   fcl::DynamicAABBTreeCollisionManagerd tree;
 };
 
-FclScene::FclScene(const Workbench& workbench, std::vector<UprightCylinder> others,
-                   double margin_m) {
+FclScene::FclScene(const Workbench& workbench, std::vector<UprightPrism> others, double margin_m,
+                   std::shared_ptr<PrismShapes> shapes) {
   if (!(margin_m > 0)) {
     throw std::invalid_argument("margin_m is " + std::to_string(margin_m) + ", expected > 0");
   }
-  parts_ = std::make_unique<const Parts>(workbench, std::move(others), margin_m);
+  if (!shapes) shapes = std::make_shared<PrismShapes>();
+  parts_ = std::make_unique<const Parts>(workbench, std::move(others), margin_m, std::move(shapes));
 }
 
 FclScene::~FclScene() = default;
 FclScene::FclScene(FclScene&&) noexcept = default;
 FclScene& FclScene::operator=(FclScene&&) noexcept = default;
 
-Verdict FclScene::check(const UprightCylinder& target) const {
+Verdict FclScene::check(const UprightPrism& target) const {
   return checkMotion(target, target.p_WCentre);
 }
 
-Verdict FclScene::checkMotion(const UprightCylinder& target, const Eigen::Vector2d& p_WTo) const {
-  const std::vector<UprightCylinder>& others = parts_->others;
+Verdict FclScene::checkMotion(const UprightPrism& target, const Eigen::Vector2d& p_WTo) const {
+  const std::vector<UprightPrism>& others = parts_->others;
   if (parts_->first_unmeasured < others.size()) {
     return {Invalidity::kCheckFailed, parts_->first_unmeasured, 0};
   }
   if (!target.measured() || !p_WTo.allFinite()) return {Invalidity::kCheckFailed, 0, 0};
-  UprightCylinder moved = target;
+  UprightPrism moved = target;
   moved.p_WCentre = p_WTo;
   Verdict nearest{Invalidity::kNone, 0,
                   std::min(edgeClearance_m(parts_->workbench, target),
                            edgeClearance_m(parts_->workbench, moved))};
   if (nearest.clearance_m < 0) return {Invalidity::kWorkbenchEdge, 0, nearest.clearance_m};
 
-  std::vector<bool> met(others.size(), false);
+  std::vector<bool> met;
   try {
-    for (auto& part : sweptBodiesOf(target, p_WTo, parts_->margin_m)) parts_->markMet(part, met);
+    met = parts_->met(target, p_WTo);
   } catch (const std::exception&) {
     return {Invalidity::kCheckFailed, 0, 0};
   }

@@ -3,15 +3,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "prism_shapes.hpp"
+
 namespace conceptplan {
 
-FclValidity::FclValidity(const FclValidityOptions& options) : options_(options) {
+FclValidity::FclValidity(const FclValidityOptions& options)
+    : options_(options), shapes_(std::make_shared<PrismShapes>()) {
   if (!(options.margin_m > 0)) {
     throw std::invalid_argument("margin_m is " + std::to_string(options.margin_m) +
                                 ", expected > 0");
   }
-  if (!(options.max_radius_cells > 0 && options.max_radius_cells < 0.5)) {
-    throw std::invalid_argument("max_radius_cells is " + std::to_string(options.max_radius_cells) +
+  if (!(options.max_half_width_cells > 0 && options.max_half_width_cells < 0.5)) {
+    throw std::invalid_argument("max_half_width_cells is " +
+                                std::to_string(options.max_half_width_cells) +
                                 ", expected a number in (0, 0.5)");
   }
 }
@@ -30,7 +34,7 @@ std::vector<Verdict> FclValidity::checkAll(const Workbench& workbench,
   verdicts.reserve(targets.size());
   for (const Symbols& target : targets) {
     verdicts.push_back(
-        scene.check(cylinderOf(workbench, grounding, target, options_.max_radius_cells)));
+        scene.check(prismOf(workbench, grounding, target, options_.max_half_width_cells)));
   }
   return verdicts;
 }
@@ -38,24 +42,25 @@ std::vector<Verdict> FclValidity::checkAll(const Workbench& workbench,
 Verdict FclValidity::checkMotion(const Workbench& workbench, const SymbolGrounding& grounding,
                                  const Symbols& from, const Symbols& to,
                                  std::span<const Symbols> others) const {
-  return sceneOf(workbench, grounding, others)
-      .checkMotion(cylinderOf(workbench, grounding, from, options_.max_radius_cells),
-                   workbench.p_WCell(grounding.cell(to)));
+  UprightPrism target = prismOf(workbench, grounding, from, options_.max_half_width_cells);
+  const UprightPrism there = prismOf(workbench, grounding, to, options_.max_half_width_cells);
+  target.outline = unionOf(target.outline, there.outline);
+  return sceneOf(workbench, grounding, others).checkMotion(target, there.p_WCentre);
 }
 
 FclScene FclValidity::sceneOf(const Workbench& workbench, const SymbolGrounding& grounding,
                               std::span<const Symbols> others) const {
-  std::vector<UprightCylinder> cylinders;
+  std::vector<UprightPrism> prisms;
   for (const Symbols& other : others) {
-    cylinders.push_back(cylinderOf(workbench, grounding, other, options_.max_radius_cells));
+    prisms.push_back(prismOf(workbench, grounding, other, options_.max_half_width_cells));
   }
-  return {workbench, std::move(cylinders), options_.margin_m};
+  return {workbench, std::move(prisms), options_.margin_m, shapes_};
 }
 
 std::array<bool, kNumConcepts> FclValidity::dependsOn() const {
   std::array<bool, kNumConcepts> concepts{};
-  for (const Concept which :
-       {Concept::kType, Concept::kPositionX, Concept::kPositionY, Concept::kSize}) {
+  for (const Concept which : {Concept::kType, Concept::kPositionX, Concept::kPositionY,
+                              Concept::kRotation, Concept::kSize}) {
     concepts[index(which)] = true;
   }
   return concepts;

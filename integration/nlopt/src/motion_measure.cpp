@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "conceptplan/nlopt/motion_task.hpp"
+#include "spline_basis.hpp"
 
 namespace conceptplan {
 namespace {
@@ -20,17 +22,22 @@ double length_m(const Trajectory& trajectory) {
 }
 
 double clearance_m(const MotionTask& task, const Trajectory& trajectory) {
-  UprightCylinder target = task.target;
-  double least = edgeClearance_m(task.workbench, target);
+  double least = std::numeric_limits<double>::infinity();
   for (const MotionPoint& point : trajectory.denseSamples(kStep_m)) {
-    target.p_WCentre = {point.x_m, point.y_m};
+    const UprightPrism target =
+        task.target(waypointAfter(task, trajectory, point.time_s), {point.x_m, point.y_m});
     least = std::min(least, edgeClearance_m(task.workbench, target));
-    for (const UprightCylinder& obstacle : task.obstacles) {
+    for (const UprightPrism& obstacle : task.obstacles) {
       const double above_m = point.lift_m - obstacle.height_m;
       least = std::min(least, std::max(above_m, clearance_m(target, obstacle)));
     }
   }
   return least;
+}
+
+std::size_t waypointAfter(const MotionTask& task, const Trajectory& trajectory, double time_s) {
+  const double actions = std::floor(time_s / (kSpansPerAction * trajectory.span_s()));
+  return std::min(static_cast<std::size_t>(actions) + 1, task.waypoints.size() - 1);
 }
 
 double squaredJerk(const Trajectory& trajectory) {

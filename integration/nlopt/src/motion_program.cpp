@@ -1,6 +1,7 @@
 #include "motion_program.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "spline_basis.hpp"
@@ -8,16 +9,36 @@
 namespace conceptplan {
 namespace {
 
-constexpr int kSamplesPerSpan = 4;
+constexpr int kSamplesPerSpan = 4;  // coarse ones: of the length, and watched from the start
+constexpr int kFine = 4;            // fine ones for each of them
 constexpr double kChordSmoothing_m = 5e-4;  // e
 constexpr double kSlack_m = 5e-4;           // for what the spline does between two samples
 constexpr double kLiftSlack_m = 3e-3;       // the same where it rises beside an edge
-constexpr double kSharpness_1_m = 2000;     // of the smooth maximum; it is at most 0.35 mm too low
+constexpr double kSharpness_1_m = 2000;     // of smooth maxima; they are at most 0.35 mm too low
+constexpr double kNegligible = 40;          // of the exponents in them: exp(-40) adds no bit
 
 /// log((exp(k a) + exp(k b)) / 2) / k: below max(a, b), and smooth.
 double smoothMaximum(double a, double b) {
   const double far = kSharpness_1_m * std::abs(a - b);
   return std::max(a, b) + std::log(0.5 * (1 + std::exp(-far))) / kSharpness_1_m;
+}
+
+/// log(sum_k exp(c x_k) / 2) / c, smooth, for the x_k of directions n_k: the maximum where two of
+/// them are equal, less where it is one alone. And its derivative sum_k w_k n_k to what moves them.
+double smoothMaximum(const std::array<double, Outline::kDirections>& along,
+                     Eigen::Vector2d& derivative) {
+  const double greatest = std::ranges::max(along);
+  double sum = 0;
+  derivative.setZero();
+  for (std::size_t k = 0; k < along.size(); ++k) {
+    const double behind = kSharpness_1_m * (greatest - along[k]);
+    if (behind > kNegligible) continue;
+    const double weight = std::exp(-behind);
+    sum += weight;
+    derivative += weight * outlineDirection(k);
+  }
+  derivative /= sum;
+  return greatest + std::log(0.5 * sum) / kSharpness_1_m;
 }
 
 /// Derivative of the smooth maximum to a; that to b is the rest to one.
@@ -32,11 +53,14 @@ MotionProgram::MotionProgram(const MotionTask& task, const RefinementOptions& op
       may_lift_(std::find(lifted.begin(), lifted.end(), true) != lifted.end()),
       jerk_factor_(options.jerk_weight / std::pow(span_s_, 5)),
       clearance_m_(options.clearance_m + (may_lift_ ? kLiftSlack_m : kSlack_m)),
-      target_radius_m_(task.target.radius_m),
       obstacles_(task.obstacles) {
-  for (int i = 0; i < start.numSpans() * kSamplesPerSpan; ++i) {
-    const double share = static_cast<double>(i % kSamplesPerSpan) / kSamplesPerSpan;
-    samples_.push_back({i / kSamplesPerSpan, splineWeights(share)});
+  constexpr int kPerSpan = kSamplesPerSpan * kFine;
+  for (int i = 0; i < start.numSpans() * kPerSpan; ++i) {
+    const double share = static_cast<double>(i % kPerSpan) / kPerSpan;
+    samples_.push_back({i / kPerSpan, splineWeights(share)});
+  }
+  for (std::size_t i = 1; i < task.waypoints.size(); ++i) {
+    outlines_.push_back(task.waypoints[i].outline);
   }
   setBounds(task, options, lifted);
 }
@@ -44,18 +68,27 @@ MotionProgram::MotionProgram(const MotionTask& task, const RefinementOptions& op
 void MotionProgram::setBounds(const MotionTask& task, const RefinementOptions& options,
                               const std::vector<bool>& lifted) {
   const Workbench& bench = task.workbench;
-  const Eigen::Array2d half_m = 0.5 * bench.cell_m * Eigen::Array2d(bench.columns, bench.rows) -
-                                task.target.radius_m - options.clearance_m;
   // A way that leaves the box of the plan's own is longer than what of it lies in the box.
   const auto ways = fixed_.topRows<2>().array();
   Eigen::Array3Xd low = Eigen::Array3Xd::Zero(3, fixed_.cols());
-  low.topRows<2>().colwise() = ways.rowwise().minCoeff().max(-half_m).eval();
+  low.topRows<2>().colwise() = ways.rowwise().minCoeff().eval();
   Eigen::Array3Xd high = Eigen::Array3Xd::Zero(3, fixed_.cols());
-  high.topRows<2>().colwise() = ways.rowwise().maxCoeff().min(half_m).eval();
+  high.topRows<2>().colwise() = ways.rowwise().maxCoeff().eval();
   // Action i runs over the spans of waypoint i, which six control points shape.
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     const Eigen::Index first = kSpansPerAction * static_cast<Eigen::Index>(i);
     if (!lifted.empty() && lifted[i]) high.row(2).segment<6>(first) = options.max_lift_m;
+    const auto& support_m = outlines_[i].support_m;
+    constexpr std::size_t kQuarter = Outline::kDirections / 4;
+    const Eigen::Array2d half_m =
+        0.5 * bench.cell_m * Eigen::Array2d(bench.columns, bench.rows) - options.clearance_m;
+    const Eigen::Array2d lowest =
+        -half_m + Eigen::Array2d(support_m[2 * kQuarter], support_m[3 * kQuarter]);
+    const Eigen::Array2d highest = half_m - Eigen::Array2d(support_m[0], support_m[kQuarter]);
+    for (Eigen::Index column = first; column < first + 6; ++column) {
+      low.col(column).head<2>() = low.col(column).head<2>().max(lowest);
+      high.col(column).head<2>() = high.col(column).head<2>().min(highest);
+    }
   }
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     if (!task.waypoints[i + 1].in_place) continue;
@@ -75,7 +108,7 @@ void MotionProgram::setBounds(const MotionTask& task, const RefinementOptions& o
 
 Eigen::VectorXd MotionProgram::startOf(const Trajectory& trajectory) const {
   double highest_m = 0;
-  for (const UprightCylinder& obstacle : obstacles_) {
+  for (const UprightPrism& obstacle : obstacles_) {
     highest_m = std::max(highest_m, obstacle.height_m);
   }
   Eigen::Matrix3Xd points(3, numFree());
@@ -118,10 +151,10 @@ double MotionProgram::objective(const Eigen::Ref<const Eigen::VectorXd>& variabl
   const auto at = [&](const Sample& sample) -> Eigen::Vector3d {
     return points.middleCols<4>(sample.first) * sample.weights;
   };
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
+  for (std::size_t i = 0; i < samples_.size(); i += kFine) {
     const Sample& from = samples_[i];
     const Sample to =
-        i + 1 < samples_.size() ? samples_[i + 1] : Sample{from.first, splineWeights(1)};
+        i + kFine < samples_.size() ? samples_[i + kFine] : Sample{from.first, splineWeights(1)};
     const Eigen::Vector3d chord = at(to) - at(from);
     const double length = std::sqrt(chord.squaredNorm() + kChordSmoothing_m * kChordSmoothing_m);
     value += length - kChordSmoothing_m;
@@ -144,16 +177,23 @@ double MotionProgram::objective(const Eigen::Ref<const Eigen::VectorXd>& variabl
 }
 
 std::size_t MotionProgram::select(const Trajectory& trajectory, double reach_m) {
+  return select(trajectory, reach_m, kFine);
+}
+
+std::size_t MotionProgram::selectOverlooked(const Trajectory& trajectory) {
+  return select(trajectory, 0, 1);
+}
+
+std::size_t MotionProgram::select(const Trajectory& trajectory, double reach_m,
+                                  std::size_t stride) {
   const std::size_t before = selected_.size();
-  for (std::size_t i = 1; i < samples_.size(); ++i) {
+  for (std::size_t i = stride; i < samples_.size(); i += stride) {
     const Eigen::Vector2d p_W =
         trajectory.controlPoints().middleCols<4>(samples_[i].first).topRows<2>() *
         samples_[i].weights;
     for (std::size_t k = 0; k < obstacles_.size(); ++k) {
-      const double far_m =
-          (p_W - obstacles_[k].p_WCentre).norm() - target_radius_m_ - obstacles_[k].radius_m;
       const Pair pair{i, k};
-      if (far_m > clearance_m_ + reach_m) continue;
+      if (std::ranges::max(gapsBeside_m(pair, p_W)) > reach_m) continue;
       if (std::find(selected_.begin(), selected_.end(), pair) == selected_.end()) {
         selected_.push_back(pair);
       }
@@ -162,22 +202,33 @@ std::size_t MotionProgram::select(const Trajectory& trajectory, double reach_m) 
   return selected_.size() - before;
 }
 
+std::array<double, Outline::kDirections> MotionProgram::gapsBeside_m(
+    const Pair& pair, const Eigen::Vector2d& p_W) const {
+  const auto action = static_cast<std::size_t>(samples_[pair.sample].first / kSpansPerAction);
+  const UprightPrism& obstacle = obstacles_[pair.obstacle];
+  const Eigen::Vector2d offset = p_W - obstacle.p_WCentre;
+  std::array<double, Outline::kDirections> gaps_m;
+  for (std::size_t k = 0; k < gaps_m.size(); ++k) {
+    gaps_m[k] = outlineDirection(k).dot(offset) - obstacle.outline.support_m[k] -
+                outlines_[action].support_m[opposite(k)] - clearance_m_;
+  }
+  return gaps_m;
+}
+
 void MotionProgram::constraints(const Eigen::Ref<const Eigen::VectorXd>& variables, double* values,
                                 double* gradients) const {
   const Eigen::Matrix3Xd points = pointsOf(variables);
   for (std::size_t i = 0; i < selected_.size(); ++i) {
     const Sample& sample = samples_[selected_[i].sample];
-    const UprightCylinder& obstacle = obstacles_[selected_[i].obstacle];
+    const UprightPrism& obstacle = obstacles_[selected_[i].obstacle];
     const Eigen::Vector3d point = points.middleCols<4>(sample.first) * sample.weights;
-    const Eigen::Vector2d offset = point.head<2>() - obstacle.p_WCentre;
-    const double apart_m = target_radius_m_ + obstacle.radius_m + clearance_m_;
-    const double beside_m = (offset.squaredNorm() - apart_m * apart_m) / (2 * apart_m);
+    Eigen::Vector2d away;
+    const double beside_m = smoothMaximum(gapsBeside_m(selected_[i], point.head<2>()), away);
     const double above_m = point.z() - obstacle.height_m - clearance_m_;
     values[i] = may_lift_ ? -smoothMaximum(beside_m, above_m) : -beside_m;
     if (gradients == nullptr) continue;
     const double share = may_lift_ ? shareOfFirst(beside_m, above_m) : 1;
-    const Eigen::Vector3d derivative(-share * offset.x() / apart_m, -share * offset.y() / apart_m,
-                                     share - 1);
+    const Eigen::Vector3d derivative(-share * away.x(), -share * away.y(), share - 1);
     double* gradient = gradients + static_cast<Eigen::Index>(i) * numVariables();
     std::fill_n(gradient, numVariables(), 0.0);
     for (Eigen::Index k = 0; k < 4; ++k) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "conceptplan/nlopt/motion_task.hpp"
@@ -13,9 +14,9 @@ namespace conceptplan {
 ///
 /// Least F = L + w J, where L is the length of the chords between the spline's samples, each
 /// |d| smoothed to sqrt(|d|^2 + e^2) - e, and J the integral of the squared jerk; such that
-/// - for each selected sample p and obstacle o with the sum of radii and clearance R:
-///   (R^2 - |p - o|^2) / (2 R) <= 0 where the target is pushed. Where it may be lifted, the smooth
-///   maximum of how far it is beside the obstacle, (|p - o|^2 - R^2) / (2 R), and above it is >= 0;
+/// - for each selected sample p and obstacle o, the smooth maximum over the directions n_k of the
+///   gap n_k . (p - o) - H_k is >= 0 where the target is pushed; H_k is the sum of both supports
+///   and the clearance. Where it may be lifted, the smooth maximum of that and how far it is above;
 /// - control points keep to the workbench and to the box of the plan's way, and those of a step in
 ///   place to its cell. By the convex hull property of splines that holds between the samples too.
 ///
@@ -40,10 +41,14 @@ class MotionProgram {
   /// F; its gradient too, unless null. [numVariables]
   double objective(const Eigen::Ref<const Eigen::VectorXd>& variables, double* gradient) const;
 
-  /// Adds constraints for each sample of the trajectory and obstacle that are nearer to each other
-  /// than the wanted clearance and `reach_m`.
+  /// Adds constraints for each coarse sample of the trajectory and obstacle that are nearer to each
+  /// other than the wanted clearance and `reach_m`.
   /// @return how many are new.
   std::size_t select(const Trajectory& trajectory, double reach_m);
+  /// The same for each fine sample that is nearer than the wanted clearance.
+  std::size_t selectOverlooked(const Trajectory& trajectory);
+  /// Wants that much more clearance, and a little.
+  void keepFurther(double more_m) { clearance_m_ += more_m + kMore_m; }
   std::size_t numConstraints() const { return selected_.size(); }
 
   /// The constraints, each <= 0, [numConstraints]; their gradients too, unless null,
@@ -52,6 +57,8 @@ class MotionProgram {
                    double* gradients) const;
 
  private:
+  static constexpr double kMore_m = 1e-4;
+
   /// A point of the spline: weights of four control points in a row.
   struct Sample {
     Eigen::Index first;
@@ -63,6 +70,12 @@ class MotionProgram {
     bool operator==(const Pair&) const = default;
   };
 
+  /// How far the target, as it is in the action of the sample and at that place, is beside the
+  /// obstacle along each direction, less the clearance.
+  std::array<double, Outline::kDirections> gapsBeside_m(const Pair& pair,
+                                                        const Eigen::Vector2d& p_W) const;
+
+  std::size_t select(const Trajectory& trajectory, double reach_m, std::size_t stride);
   Eigen::Index numFree() const { return std::max<Eigen::Index>(0, fixed_.cols() - 6); }
   /// x, y and lift of all control points.
   Eigen::Matrix3Xd pointsOf(const Eigen::Ref<const Eigen::VectorXd>& variables) const;
@@ -74,13 +87,13 @@ class MotionProgram {
   Trajectory::ControlPoints fixed_;  // of the start; the free ones are overwritten
   double span_s_;
   bool may_lift_;
-  double jerk_factor_;  // w / span^5
-  double clearance_m_;  // wanted, a little more than asked
-  double target_radius_m_;
-  std::vector<UprightCylinder> obstacles_;
+  double jerk_factor_;             // w / span^5
+  double clearance_m_;             // wanted, a little more than asked
+  std::vector<Outline> outlines_;  // of the target, [actions]
+  std::vector<UprightPrism> obstacles_;
   Eigen::VectorXd lower_;
   Eigen::VectorXd upper_;
-  std::vector<Sample> samples_;
+  std::vector<Sample> samples_;  // fine ones
   std::vector<Pair> selected_;
 };
 

@@ -1,5 +1,6 @@
 #include "conceptplan/nlopt/motion_task.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -15,10 +16,19 @@ double turnOf(Action action) {
   return 0;
 }
 
+/// What an outline covers while it turns a quarter turn.
+Outline turning(const Outline& outline) {
+  double widest_m = 0;
+  for (std::size_t k = 0; k < Outline::kDirections; k += Outline::kDirections / 4) {
+    widest_m = std::max(widest_m, outline.support_m[k]);
+  }
+  return clipped(outlineOfDisc(circumradius_m(outline)), outlineOfSquare(widest_m));
+}
+
 }  // namespace
 
 MotionTask motionTaskOf(const SymbolicProblem& problem, const SymbolGrounding& grounding,
-                        const Plan& plan, double max_radius_cells) {
+                        const Plan& plan, double max_half_width_cells) {
   if (plan.predicted.size() != plan.actions.size()) {
     throw std::invalid_argument("a plan of " + std::to_string(plan.actions.size()) +
                                 " actions with " + std::to_string(plan.predicted.size()) +
@@ -27,25 +37,30 @@ MotionTask motionTaskOf(const SymbolicProblem& problem, const SymbolGrounding& g
   const SymbolicScene& scene = problem.initial;
   MotionTask task;
   task.workbench = scene.workbench;
+  const auto standing = [&](const Symbols& symbols) {
+    return prismOf(scene.workbench, grounding, symbols, max_half_width_cells);
+  };
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const UprightCylinder cylinder =
-        cylinderOf(scene.workbench, grounding, mostProbable(scene.objects[i]), max_radius_cells);
-    if (i == scene.target) {
-      task.target = cylinder;
-    } else {
-      task.obstacles.push_back(cylinder);
-    }
+    if (i != scene.target) task.obstacles.push_back(standing(mostProbable(scene.objects[i])));
   }
   Symbols before = mostProbable(scene.objects[scene.target]);
-  task.waypoints.push_back({task.target.p_WCentre, 0, false});
+  UprightPrism target = standing(before);
+  task.height_m = target.height_m;
+  task.waypoints.push_back({target.p_WCentre, 0, target.outline, false});
   for (std::size_t i = 0; i < plan.actions.size(); ++i) {
     const Symbols& after = plan.predicted[i];
     const std::size_t rotation = index(Concept::kRotation);
-    MotionWaypoint waypoint = task.waypoints.back();
-    waypoint.p_W = scene.workbench.p_WCell(grounding.cell(after));
-    waypoint.in_place = grounding.cell(after) == grounding.cell(before);
-    if (after[rotation] != before[rotation]) waypoint.heading_rad += turnOf(plan.actions[i]);
+    const UprightPrism there = standing(after);
+    MotionWaypoint waypoint{there.p_WCentre, task.waypoints.back().heading_rad,
+                            unionOf(target.outline, there.outline),
+                            grounding.cell(after) == grounding.cell(before)};
+    const double turn_rad = after[rotation] != before[rotation] ? turnOf(plan.actions[i]) : 0;
+    if (turn_rad != 0) {
+      waypoint.heading_rad += turn_rad;
+      waypoint.outline = turning(waypoint.outline);
+    }
     task.waypoints.push_back(waypoint);
+    target = there;
     before = after;
   }
   return task;

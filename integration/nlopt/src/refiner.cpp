@@ -21,6 +21,9 @@ constexpr double kReach_m = 0.04;            // pairs this near to what is allow
 /// The solvers' first step is about as long as the gradient; this makes it centimetres, so that it
 /// does not lead through obstacles.
 constexpr double kObjectiveScale = 0.02;
+/// A solution that misses more of the clearance, at nothing that it overlooked, is none; what it
+/// misses less lies between two samples.
+constexpr double kMostMissing_m = 0.002;
 constexpr int kMostRounds = 4;  // of adding what a solution overlooked
 
 struct NamedAlgorithm {
@@ -134,11 +137,10 @@ int minimise(const MotionProgram& program, nlopt_algorithm algorithm, int max_ev
 /// Why no motion can keep the clearance, since the target has to stand where it comes too near to
 /// something; empty if it need not.
 std::string nearnessAtRest(const MotionTask& task, double wanted_m) {
-  UprightCylinder target = task.target;
   for (std::size_t i = 0; i < task.waypoints.size(); ++i) {
     const bool is_start = i == 0;
     const bool is_goal = i + 1 == task.waypoints.size();
-    target.p_WCentre = task.waypoints[i].p_W;
+    const UprightPrism target = task.target(i, task.waypoints[i].p_W);
     const std::string place = is_start  ? "the start"
                               : is_goal ? "the goal"
                                         : "step " + std::to_string(i);
@@ -167,9 +169,8 @@ std::vector<bool> movesToLift(const MotionTask& task, double wanted_m) {
     std::size_t last = first;  // of the moves between two places, one past the end
     bool near = false;
     for (; last < lifted.size() && !task.waypoints[last + 1].in_place; ++last) {
-      UprightCylinder target = task.target;
-      target.p_WCentre = task.waypoints[last].p_W;
-      for (const UprightCylinder& obstacle : task.obstacles) {
+      const UprightPrism target = task.target(last + 1, task.waypoints[last].p_W);
+      for (const UprightPrism& obstacle : task.obstacles) {
         near = near || clearanceAlong_m(target, task.waypoints[last + 1].p_W, obstacle) < wanted_m;
       }
     }
@@ -202,7 +203,11 @@ Candidate solve(const MotionTask& task, const RefinementOptions& options, const 
   for (int round = 0; round < kMostRounds && deadline.reason().empty(); ++round) {
     // From the plan each time: a motion that went through an obstacle cannot be led out of it.
     Eigen::VectorXd variables = program.startOf(discrete.trajectory);
-    if (program.select(best.trajectory, round == 0 ? kReach_m : 0) == 0 && round > 0) break;
+    const double missing_m = options.clearance_m - best.clearance_m;
+    const bool overlooked = (round == 0 ? program.select(best.trajectory, kReach_m)
+                                        : program.selectOverlooked(best.trajectory)) > 0;
+    if (round > 0 && !overlooked && missing_m > kMostMissing_m) break;
+    if (round > 0 && !overlooked) program.keepFurther(missing_m);
     evaluations += minimise(program, find(options.algorithm)->id, options.max_evaluations, deadline,
                             variables);
     if (!variables.allFinite()) return discrete;
@@ -257,10 +262,13 @@ Refiner::Refiner(const RefinementOptions& options) : options_(options) {
 
 RefinementResult Refiner::refine(const MotionTask& task) const {
   if (task.waypoints.empty()) throw std::invalid_argument("a motion without a waypoint");
-  const auto measured = [](const UprightCylinder& body) { return body.measured(); };
-  if (!measured(task.target) ||
-      !std::all_of(task.obstacles.begin(), task.obstacles.end(), measured)) {
-    throw std::invalid_argument("a cylinder of the motion has no measure");
+  bool measured = true;
+  for (std::size_t i = 0; i < task.waypoints.size(); ++i) {
+    measured = measured && task.target(i, task.waypoints[i].p_W).measured();
+  }
+  for (const UprightPrism& obstacle : task.obstacles) measured = measured && obstacle.measured();
+  if (!measured) {
+    throw std::invalid_argument("a body of the motion has no measure");
   }
   const Deadline deadline(options_);
   const Candidate discrete = measure(task, discreteTrajectory(task, options_.action_s));

@@ -20,10 +20,9 @@ namespace {
 
 /// Where an object stands and how large it is, measured from its depth picture.
 struct Extent {
-  double x_m = 0;  ///< middle of the visible surface, in W
-  double y_m = 0;
-  double half_width_m = 0;  ///< along x
-  double height_m = 0;      ///< above the workbench
+  Eigen::Vector2d p_WMiddle{0, 0};  ///< of the visible surface
+  Outline outline;                  ///< of the visible surface, about its middle
+  double height_m = 0;              ///< above the workbench
 };
 
 /// Share of validation objects, parts of them hidden and light changed, that fit a symbol.
@@ -37,22 +36,26 @@ struct ObservedObjects {
 };
 
 Extent measure(const ObjectCrop& crop, const Camera& camera) {
-  std::vector<double> x, y, z;
+  Extent extent;
+  std::vector<Eigen::Vector2d> seen;
   for (int i = 0; i < ObjectCrop::kEdge * ObjectCrop::kEdge; ++i) {
     const auto pixel = static_cast<std::size_t>(i);
     if (crop.mask[pixel] == 0 || !(crop.depth_m[pixel] > 0)) continue;
     const Eigen::Vector2d at(crop.left + i % ObjectCrop::kEdge + 0.5,
                              crop.top + i / ObjectCrop::kEdge + 0.5);
     const Eigen::Vector3d p_W = camera.unproject(at, crop.depth_m[pixel]);
-    x.push_back(p_W.x()), y.push_back(p_W.y()), z.push_back(p_W.z());
+    seen.push_back(p_W.head<2>());
+    extent.height_m = std::max(extent.height_m, p_W.z());
   }
-  if (x.empty()) return {};
-  const auto middle = [](std::vector<double>& values) {
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return 0.5 * (*low + *high);
-  };
-  const auto [left, right] = std::minmax_element(x.begin(), x.end());
-  return {middle(x), middle(y), 0.5 * (*right - *left), *std::max_element(z.begin(), z.end())};
+  if (seen.empty()) return extent;
+  Eigen::Vector2d low = seen.front(), high = seen.front();
+  for (const Eigen::Vector2d& p_W : seen) low = low.cwiseMin(p_W), high = high.cwiseMax(p_W);
+  extent.p_WMiddle = 0.5 * (low + high);
+  for (std::size_t k = 0; k < Outline::kDirections; ++k)
+    for (const Eigen::Vector2d& p_W : seen)
+      extent.outline.support_m[k] =
+          std::max(extent.outline.support_m[k], outlineDirection(k).dot(p_W - extent.p_WMiddle));
+  return extent;
 }
 
 /// Up to `most` objects, evenly spread over the dataset.
@@ -101,37 +104,73 @@ std::vector<int> orderAlong(const std::vector<Symbols>& symbols, Concept which, 
   return place;
 }
 
-/// The largest extent seen of each pair of TYPE and SIZE symbols, but for one in twenty that may
-/// be misread; pairs never seen take the largest of all.
-std::vector<std::vector<Footprint>> footprints(const std::vector<Symbols>& symbols,
-                                               const std::vector<Extent>& extents,
-                                               std::size_t types, std::size_t sizes) {
-  std::vector<std::vector<std::vector<double>>> widths(types), heights(types);
-  for (std::size_t type = 0; type < types; ++type)
-    widths[type].resize(sizes), heights[type].resize(sizes);
-  for (std::size_t i = 0; i < symbols.size(); ++i) {
-    const std::size_t type = index(symbols[i][index(Concept::kType)]);
-    const std::size_t size = index(symbols[i][index(Concept::kSize)]);
-    widths[type][size].push_back(extents[i].half_width_m);
-    heights[type][size].push_back(extents[i].height_m);
-  }
-  const auto high = [](std::vector<double> values, double otherwise) {
-    if (values.empty()) return otherwise;
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return std::max(1e-3, *at);
+/// The value that one in twenty exceeds, which may be misread. @pre there are values
+double high(std::vector<double> values) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// The prism around objects of the same TYPE, SIZE and ROTATION symbols, about the middle of their
+/// cells, in which they stand right on average. What faces away from the camera, which looks along
+/// y, is hidden in part: there the object is taken to reach as far as towards the camera.
+Footprint footprintOf(const std::vector<Extent>& extents,
+                      const std::vector<Eigen::Vector2d>& offsets) {
+  Eigen::Vector2d offset(0, 0);
+  for (const Eigen::Vector2d& one : offsets) offset += one / static_cast<double>(offsets.size());
+  Footprint footprint;
+  std::vector<double> values(extents.size());
+  const auto highest = [&](auto measure_m) {
+    std::transform(extents.begin(), extents.end(), values.begin(), measure_m);
+    return std::max(1e-3, high(values));
   };
-  double widest = 0, tallest = 0;
-  for (std::size_t type = 0; type < types; ++type)
-    for (std::size_t size = 0; size < sizes; ++size) {
-      widest = std::max(widest, high(widths[type][size], 0));
-      tallest = std::max(tallest, high(heights[type][size], 0));
-    }
-  std::vector<std::vector<Footprint>> table(types, std::vector<Footprint>(sizes));
+  auto& support_m = footprint.outline.support_m;
+  for (std::size_t k = 0; k < Outline::kDirections; ++k)
+    support_m[k] = highest([&](const Extent& extent) {
+      return extent.outline.support_m[k] + outlineDirection(k).dot(offset);
+    });
+  for (std::size_t k = 1; k < Outline::kDirections / 2; ++k)
+    support_m[k] = std::max(support_m[k], support_m[opposite(k)]);
+  footprint.outline = tightened(footprint.outline);
+  footprint.height_m = highest([](const Extent& extent) { return extent.height_m; });
+  return footprint;
+}
+
+/// Of each TYPE, SIZE and ROTATION symbol; those never seen together take what surrounds all.
+FootprintTable footprints(const std::vector<Symbols>& symbols, const std::vector<Extent>& extents,
+                          const SymbolGrounding& cells, const ConceptCardinality& cardinality) {
+  const std::size_t types = cardinality[index(Concept::kType)];
+  const std::size_t sizes = cardinality[index(Concept::kSize)];
+  const std::size_t rotations = cardinality[index(Concept::kRotation)];
+  const Workbench workbench;
+  std::vector<std::vector<Extent>> seen(types * sizes * rotations);
+  std::vector<std::vector<Eigen::Vector2d>> offsets(seen.size());
+  const auto at = [&](std::size_t type, std::size_t size, std::size_t rotation) {
+    return (type * sizes + size) * rotations + rotation;
+  };
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const std::size_t group =
+        at(index(symbols[i][index(Concept::kType)]), index(symbols[i][index(Concept::kSize)]),
+           index(symbols[i][index(Concept::kRotation)]));
+    seen[group].push_back(extents[i]);
+    offsets[group].push_back(extents[i].p_WMiddle - workbench.p_WCell(cells.cell(symbols[i])));
+  }
+  std::vector<Footprint> measured(seen.size());
+  Footprint around;
+  for (std::size_t group = 0; group < seen.size(); ++group) {
+    if (seen[group].empty()) continue;
+    measured[group] = footprintOf(seen[group], offsets[group]);
+    around = {unionOf(around.outline, measured[group].outline),
+              std::max(around.height_m, measured[group].height_m)};
+  }
+  FootprintTable table = uniformFootprints(cardinality, around);
   for (std::size_t type = 0; type < types; ++type)
     for (std::size_t size = 0; size < sizes; ++size)
-      table[type][size] = {high(widths[type][size], widest), high(heights[type][size], tallest)};
+      for (std::size_t rotation = 0; rotation < rotations; ++rotation) {
+        const std::size_t group = at(type, size, rotation);
+        if (!seen[group].empty()) table[type][size][rotation] = measured[group];
+      }
   return table;
 }
 
@@ -267,15 +306,14 @@ bool makeSymbols(const Run& run, ModelManifest& manifest) {
 
   SymbolGrounding grounding;
   std::vector<double> x, y;
-  for (const Extent& extent : train.extents) x.push_back(extent.x_m), y.push_back(extent.y_m);
+  for (const Extent& extent : train.extents)
+    x.push_back(extent.p_WMiddle.x()), y.push_back(extent.p_WMiddle.y());
   const auto cardinality = provisional.cardinality();
   grounding.columns =
       orderAlong(train_symbols, Concept::kPositionX, cardinality[index(Concept::kPositionX)], x);
   grounding.rows =
       orderAlong(train_symbols, Concept::kPositionY, cardinality[index(Concept::kPositionY)], y);
-  grounding.footprints =
-      footprints(train_symbols, train.extents, cardinality[index(Concept::kType)],
-                 cardinality[index(Concept::kSize)]);
+  grounding.footprints = footprints(train_symbols, train.extents, grounding, cardinality);
   grounding.names = symbolNames(values);
   writeFileAtomically(
       run.options.model / kSymbolsFile,

@@ -74,20 +74,20 @@ TEST(SymbolicModelFile, TheLineOfBrokenSyntaxIsTold) {
 
 TEST(SymbolicModelFile, AnotherVersionIsTold) {
   const std::vector<Fault> faults =
-      faultsOf(replaced(toJson(fullModel()), "\"version\": 1", "\"version\": 7"));
+      faultsOf(replaced(toJson(fullModel()), "\"version\": 2", "\"version\": 7"));
   ASSERT_THAT(faults, SizeIs(1));
-  EXPECT_EQ(faults[0].text(), "model.json: version: expected 1, found 7");
+  EXPECT_EQ(faults[0].text(), "model.json: version: expected 2, found 7");
 }
 
 TEST(SymbolicModelFile, AllFaultsComeTogether) {
   std::string json = toJson(fullModel());
   json = replaced(json, "\"own_symbol\"", "\"own_smybol\"");
   json = replaced(json, "\"stays\": 1.0", "\"stays\": \"one\"");
-  json = replaced(json, "\"radius_m\"", "\"radius\"");
+  json = replaced(json, "\"support_m\"", "\"support\"");
   const std::vector<Fault> faults = faultsOf(json);
   std::string text;
   for (const Fault& fault : faults) text += fault.text() + "\n";
-  EXPECT_THAT(text, HasSubstr("grounding.footprints[0][0].radius_m: missing"));
+  EXPECT_THAT(text, HasSubstr("grounding.footprints[0][0][0].support_m: missing"));
   EXPECT_THAT(text, HasSubstr(".stays: expected a number, found string"));
   EXPECT_THAT(text, HasSubstr("found \"own_smybol\""));
 }

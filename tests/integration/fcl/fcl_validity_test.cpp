@@ -22,9 +22,7 @@ Symbols at(int x, int y, int size = 3, int type = 0) {
 
 SymbolGrounding withRadius(double radius_m) {
   SymbolGrounding grounding = standardGrounding();
-  for (auto& type : grounding.footprints) {
-    for (Footprint& footprint : type) footprint.radius_m = radius_m;
-  }
+  grounding.footprints = uniformFootprints(kConceptCardinality, {outlineOfDisc(radius_m), 0.1});
   return grounding;
 }
 
@@ -54,10 +52,37 @@ TEST(FclValidity, TheClearanceOfNearObjectsIsTheirDistance) {
 TEST(FclValidity, FootprintsCountUpToTheirShareOfACell) {
   const std::vector<Symbols> others{at(1, 3)};
   FclValidityOptions options;
-  options.max_radius_cells = 0.48;
+  options.max_half_width_cells = 0.48;
   const Verdict verdict = FclValidity(options).check({}, withRadius(0.13), at(1, 2), others);
   EXPECT_TRUE(verdict.valid());
   EXPECT_NEAR(verdict.clearance_m, 2 * 0.2 * (0.5 - 0.48), 1e-9);
+}
+
+TEST(FclValidity, ObjectsCollideAsTheyAreTurned) {
+  // A plank of 180 x 40 mm, its long side towards the other object or away from it.
+  SymbolGrounding grounding = standardGrounding();
+  for (const std::size_t rotation : {0u, 1u}) {
+    Outline plank = outlineOfSquare(0.09);
+    for (const std::size_t k : {4 * rotation, 4 * rotation + 8}) plank.support_m[k] = 0.02;
+    grounding.footprints[0][3][rotation].outline = tightened(plank);
+  }
+  FclValidityOptions options;
+  options.margin_m = 0.025;
+  const std::vector<Symbols> others{at(1, 3, 3, 1)};
+  Symbols turned = at(1, 2);
+  EXPECT_NEAR(FclValidity(options).check({}, grounding, turned, others).clearance_m, 0.03, 1e-9);
+  turned[index(Concept::kRotation)] = SymbolId{1};
+  EXPECT_NEAR(FclValidity(options).check({}, grounding, turned, others).clearance_m, 0.1, 1e-9);
+  options.margin_m = 0.05;
+  EXPECT_TRUE(FclValidity(options).check({}, grounding, turned, others).valid());
+  turned[index(Concept::kRotation)] = SymbolId{0};
+  EXPECT_EQ(FclValidity(options).check({}, grounding, turned, others).cause,
+            Invalidity::kCollision);
+  // What turns on its way covers both.
+  Symbols there = at(1, 2);
+  there[index(Concept::kRotation)] = SymbolId{1};
+  EXPECT_EQ(FclValidity(options).checkMotion({}, grounding, there, turned, others).cause,
+            Invalidity::kCollision);
 }
 
 TEST(FclValidity, TheMarginMustRemain) {
@@ -79,7 +104,7 @@ TEST(FclValidity, BesideTheWorkbenchIsInvalid) {
 
 TEST(FclValidity, AFootprintWithoutMeasureIsANamedResult) {
   SymbolGrounding grounding = standardGrounding();
-  grounding.footprints[0][3].height_m = std::numeric_limits<double>::quiet_NaN();
+  grounding.footprints[0][3][0].height_m = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Symbols> others{at(1, 3, 3, 1)};
   EXPECT_EQ(FclValidity().check({}, grounding, at(1, 2), others).cause, Invalidity::kCheckFailed);
   const std::vector<Symbols> unmeasured{at(1, 3)};
@@ -103,7 +128,7 @@ TEST(FclValidity, AgreesWithTheGridOnObjectsThatFitTheirCells) {
   }
 }
 
-TEST(FclValidity, FindsWhatTheDistanceOfDiscsFindsOnFootprintsOfAllSizes) {
+TEST(FclValidity, FindsWhatTheDistanceOfOutlinesFindsOnFootprintsOfAllSizes) {
   std::mt19937_64 random(3);
   const auto draw = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
@@ -111,20 +136,23 @@ TEST(FclValidity, FindsWhatTheDistanceOfDiscsFindsOnFootprintsOfAllSizes) {
   SymbolGrounding grounding = standardGrounding();
   FclValidityOptions options;
   options.margin_m = 0.03;
-  options.max_radius_cells = 0.499;
+  options.max_half_width_cells = 0.499;
   const FclValidity validity(options);
   for (int i = 0; i < 20'000; ++i) {
-    Footprint& own = grounding.footprints[0][0];
-    Footprint& other = grounding.footprints[1][0];
-    own = {draw(0.01, 0.0998), draw(0.01, 0.3)};
-    other = {draw(0.01, 0.0998), draw(0.01, 0.3)};
+    Footprint& own = grounding.footprints[0][0][0];
+    Footprint& other = grounding.footprints[1][0][0];
+    for (Footprint* footprint : {&own, &other}) {
+      for (double& support_m : footprint->outline.support_m) support_m = draw(0.01, 0.0998);
+      *footprint = {tightened(footprint->outline), draw(0.01, 0.3)};
+    }
     const std::vector<Symbols> others{at(1, 2, 0, 1)};
     const Symbols target = at(i % 3, i / 3 % 5, 0, 0);
-    const Cell offset{i % 3 - 1, i / 3 % 5 - 2};
-    const double clearance_m = 0.2 * std::hypot(offset.x, offset.y) - own.radius_m - other.radius_m;
+    const double clearance_m =
+        conceptplan::clearance_m(prismOf({}, grounding, target, options.max_half_width_cells),
+                                 prismOf({}, grounding, others[0], options.max_half_width_cells));
     if (std::abs(clearance_m - options.margin_m) < 1e-4) continue;  // FCL's own tolerance
     EXPECT_EQ(validity.check({}, grounding, target, others).valid(), clearance_m > options.margin_m)
-        << own.radius_m << " and " << other.radius_m << " at " << offset.x << ", " << offset.y;
+        << i;
   }
 }
 
@@ -203,7 +231,7 @@ TEST(FclValidity, PlansOfBothPlannersSolveTasksOfEveryLevel) {
         const PlanResult result = registry.make(planner)->solve(graph, {});
         ASSERT_EQ(result.status, PlanStatus::kSolved) << task.id;
         EXPECT_TRUE(judge(task, result.plans.front().actions).succeeded()) << task.id;
-        EXPECT_EQ(result.statistics.validity_checks, 15u);
+        EXPECT_EQ(result.statistics.validity_checks, 60u);  // each cell, turned each way
       }
     }
   }
@@ -220,7 +248,7 @@ TEST(FclValidity, RefusesOptionsOutOfRange) {
         FclValidity validity({0.01, 0.5});
       },
       ::testing::ThrowsMessage<std::invalid_argument>(
-          ::testing::HasSubstr("max_radius_cells is 0.5")));
+          ::testing::HasSubstr("max_half_width_cells is 0.5")));
 }
 
 }  // namespace

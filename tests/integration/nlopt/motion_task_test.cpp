@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -50,7 +51,28 @@ TEST(MotionTask, FollowsThePredictedCellsAndTurns) {
   }
   ASSERT_EQ(task.obstacles.size(), 1u);
   EXPECT_NEAR(task.obstacles[0].p_WCentre.x(), 0.2, 1e-12);
-  EXPECT_NEAR(task.target.radius_m, 0.08, 1e-12);
+  EXPECT_EQ(task.waypoints[1].outline, outlineOfDisc(0.08));
+}
+
+TEST(MotionTask, TheTargetCoversWhatItTurnsThrough) {
+  SymbolGrounding grounding = standardGrounding();
+  auto& footprints = grounding.footprints[0][3];
+  Outline plank = outlineOfSquare(0.06), across = outlineOfSquare(0.06);
+  for (const std::size_t k : {4u, 12u}) plank.support_m[k] = 0.03;
+  for (const std::size_t k : {0u, 8u}) across.support_m[k] = 0.03;
+  footprints[0].outline = tightened(plank);
+  footprints[1].outline = tightened(across);
+  const MotionTask task = motionTaskOf(problemOf({at(0, 0), at(2, 2)}), grounding, samplePlan());
+  EXPECT_EQ(task.waypoints[0].outline, tightened(plank));
+  EXPECT_EQ(task.waypoints[1].outline, tightened(plank));
+  EXPECT_EQ(task.waypoints[3].outline, tightened(across));
+  EXPECT_EQ(task.waypoints[5].outline, tightened(across));
+  // The square around both, without the corners that neither reaches.
+  const Outline turning = task.waypoints[2].outline;
+  EXPECT_NEAR(turning.support_m[0], 0.06, 1e-12);
+  EXPECT_NEAR(turning.support_m[4], 0.06, 1e-12);
+  EXPECT_NEAR(turning.support_m[2], std::hypot(0.06, 0.03), 0.012);
+  EXPECT_GE(turning.support_m[2], std::hypot(0.06, 0.03));
 }
 
 TEST(MotionTask, RefusesAPlanWithoutItsPredictedStates) {
@@ -81,7 +103,6 @@ TEST(MotionTask, ClearanceToAnObstacleCountsBesideOrAboveIt) {
   EXPECT_NEAR(clearance_m(task, discreteTrajectory(task, 1)), 0.04, 1e-9);
   Trajectory::ControlPoints above(4, 3);
   above.colwise() = Eigen::Vector4d(0, 0, 0, 0.18);
-  task.target.p_WCentre = {0, 0};
   EXPECT_NEAR(clearance_m(task, Trajectory(above, 1)), 0.02, 1e-9);  // its height is 0.16
 }
 

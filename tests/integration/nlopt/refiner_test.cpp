@@ -25,14 +25,14 @@ MotionTask through(const std::vector<Cell>& cells, double radius_m) {
   for (const Cell cell : cells) {
     const Eigen::Vector2d p_W = task.workbench.p_WCell(cell);
     const bool in_place = !task.waypoints.empty() && task.waypoints.back().p_W == p_W;
-    task.waypoints.push_back({p_W, 0, in_place});
+    task.waypoints.push_back({p_W, 0, outlineOfDisc(radius_m), in_place});
   }
-  task.target = {task.waypoints.front().p_W, radius_m, 0.1};
+  task.height_m = 0.1;
   return task;
 }
 
-UprightCylinder obstacleIn(Cell cell, double radius_m, double height_m = 0.1) {
-  return {Workbench{}.p_WCell(cell), radius_m, height_m};
+UprightPrism obstacleIn(Cell cell, double radius_m, double height_m = 0.1) {
+  return {Workbench{}.p_WCell(cell), outlineOfDisc(radius_m), height_m};
 }
 
 TEST(Refiner, RefinedMotionsOfTasksAreClearSmoothAndNoLonger) {

@@ -75,8 +75,8 @@ TEST(ModelManifest, RefusesOtherFormatsAndText) {
               ThrowsMessage<InputError>(HasSubstr("manifest.json")));
   writeFileAtomically(folder.path() / "manifest.json", "{\"conceptplan_model\": 99}");
   EXPECT_THAT([&] { readModelManifest(folder.path()); },
-              ThrowsMessage<InputError>(HasSubstr("expected format 3, found 99")));
-  writeFileAtomically(folder.path() / "manifest.json", "{\"conceptplan_model\": 3}");
+              ThrowsMessage<InputError>(HasSubstr("expected format 4, found 99")));
+  writeFileAtomically(folder.path() / "manifest.json", "{\"conceptplan_model\": 4}");
   EXPECT_THAT([&] { readModelManifest(folder.path()); },
               ThrowsMessage<InputError>(testing::AllOf(HasSubstr("profile"), HasSubstr("stages"))));
   writeFileAtomically(folder.path() / "manifest.json", "no json");

@@ -34,7 +34,7 @@ struct SymbolicModel {
 };
 
 /// Version of the file format.
-inline constexpr int kSymbolicModelVersion = 1;
+inline constexpr int kSymbolicModelVersion = 2;
 
 /// The model as JSON text; `parseSymbolicModel(toJson(m), p) == m`.
 std::string toJson(const SymbolicModel& model);

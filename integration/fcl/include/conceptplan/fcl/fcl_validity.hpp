@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,15 +14,15 @@ struct FclValidityOptions {
   /// Clearance that must remain between two objects, metres; > 0, since FCL is unreliable on
   /// shapes that touch exactly.
   double margin_m = 0.002;
-  /// Footprints count up to this share of a cell's edge. In (0, 0.5).
-  double max_radius_cells = kMaxRadiusCells;
+  /// Footprints count up to this share of a cell's edge from its middle. In (0, 0.5).
+  double max_half_width_cells = kMaxHalfWidthCells;
 };
 
-/// Validity by collision geometry: upright cylinders of the measured footprints at the centres of
-/// the cells that the position symbols stand for, against each other and the workbench's edge.
-/// A footprint without a measure and whatever FCL throws give `Invalidity::kCheckFailed`; what
-/// `contactOf` calls touching is a collision. `Verdict::clearance_m` is the distance to the nearest
-/// object or edge. Thread-safe.
+/// Validity by collision geometry: convex prisms of the measured footprints, of each type at its
+/// size and rotation, at the centres of the cells that the position symbols stand for, against each
+/// other and the workbench's edge. A footprint without a measure and whatever FCL throws give
+/// `Invalidity::kCheckFailed`; what `contactOf` calls touching is a collision.
+/// `Verdict::clearance_m` is the distance to the nearest object or edge. Thread-safe.
 class FclValidity final : public StateValidity {
  public:
   /// @throws std::invalid_argument if an option is out of range.
@@ -34,8 +35,8 @@ class FclValidity final : public StateValidity {
                                 std::span<const Symbols> others) const override;
   std::array<bool, kNumConcepts> dependsOn() const override;
 
-  /// Whether the target can be pushed straight from one state to another; it is as large as in
-  /// `from`. @pre all symbols are below the cardinality of the grounding.
+  /// Whether the target can be pushed straight from one state to another; on all the way it
+  /// covers what it covers in either. @pre all symbols are below the cardinality of the grounding.
   Verdict checkMotion(const Workbench& workbench, const SymbolGrounding& grounding,
                       const Symbols& from, const Symbols& to,
                       std::span<const Symbols> others) const;
@@ -46,6 +47,7 @@ class FclValidity final : public StateValidity {
 
  private:
   FclValidityOptions options_;
+  std::shared_ptr<PrismShapes> shapes_;
 };
 
 }  // namespace conceptplan

@@ -65,7 +65,7 @@ class Refiner {
   /// @throws std::invalid_argument if an option is out of range or the algorithm unknown.
   explicit Refiner(const RefinementOptions& options = {});
 
-  /// @throws std::invalid_argument if the task has no waypoint or a cylinder is not measured.
+  /// @throws std::invalid_argument if the task has no waypoint or a body is not measured.
   RefinementResult refine(const MotionTask& task) const;
 
  private:

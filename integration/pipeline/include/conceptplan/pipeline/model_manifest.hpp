@@ -11,7 +11,7 @@
 namespace conceptplan {
 
 /// Version of the model folder's format.
-inline constexpr int kModelFormat = 3;
+inline constexpr int kModelFormat = 4;
 
 /// A stage of training, in the order in which they build on each other.
 enum class TrainingStage { kLearnConcepts, kMakeSymbols, kCountTransitions, kTrainVict };

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "conceptplan/domain/model/upright_cylinder.hpp"
+#include "conceptplan/domain/model/upright_prism.hpp"
 
 namespace conceptplan {
 
@@ -24,12 +24,11 @@ inline constexpr double kContactTolerance_m = 1e-4;
 ///
 /// FCL is asked whether there is a collision, without contacts. Its distance query is left out with
 /// intent: its GJK aborts the process on an assertion for some poses (FCL 0.7, gjk_libccd-inl.h,
-/// doSimplex2). Distances of cylinders that stand on one plane are those of their discs.
-Contact contactOf(const UprightCylinder& a, const UprightCylinder& b, double margin_m);
+/// doSimplex2). Distances of prisms that stand on one plane are those of their outlines.
+Contact contactOf(const UprightPrism& a, const UprightPrism& b, double margin_m);
 
-/// The same of all that `a` sweeps while it goes straight to `p_WTo`: a box between the cylinder
-/// at both ends.
-Contact sweptContactOf(const UprightCylinder& a, const Eigen::Vector2d& p_WTo,
-                       const UprightCylinder& b, double margin_m);
+/// The same of all that `a` sweeps while it goes straight to `p_WTo`, a convex body too.
+Contact sweptContactOf(const UprightPrism& a, const Eigen::Vector2d& p_WTo, const UprightPrism& b,
+                       double margin_m);
 
 }  // namespace conceptplan

@@ -1,6 +1,5 @@
-#include "conceptplan/fcl/cylinder_contact.hpp"
+#include "conceptplan/fcl/prism_contact.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -22,21 +21,21 @@ std::string_view name(Contact contact) {
   return "undecided";
 }
 
-Contact contactOf(const UprightCylinder& a, const UprightCylinder& b, double margin_m) {
+Contact contactOf(const UprightPrism& a, const UprightPrism& b, double margin_m) {
   return sweptContactOf(a, a.p_WCentre, b, margin_m);
 }
 
-Contact sweptContactOf(const UprightCylinder& a, const Eigen::Vector2d& p_WTo,
-                       const UprightCylinder& b, double margin_m) {
+Contact sweptContactOf(const UprightPrism& a, const Eigen::Vector2d& p_WTo, const UprightPrism& b,
+                       double margin_m) {
   if (!a.measured() || !b.measured() || !p_WTo.allFinite()) return Contact::kUndecided;
   if (std::abs(clearanceAlong_m(a, p_WTo, b) - margin_m) <= kContactTolerance_m) {
     return Contact::kTouching;
   }
   try {
-    const auto swept = sweptBodiesOf(a, p_WTo, margin_m);
-    const fcl::CollisionObjectd other = bodyOf(b, 0);
-    const bool meet = std::any_of(swept.begin(), swept.end(),
-                                  [&](const auto& part) { return collide(part, other); });
+    const Eigen::Vector2d way = p_WTo - a.p_WCentre;
+    const auto moved =
+        way.isZero(0) ? shapeOf(a.outline, a.height_m, margin_m) : sweptShapeOf(a, way, margin_m);
+    const bool meet = collide(*moved, a.p_WCentre, *shapeOf(b.outline, b.height_m, 0), b.p_WCentre);
     return meet ? Contact::kOverlapping : Contact::kApart;
   } catch (const std::exception&) {
     return Contact::kUndecided;
