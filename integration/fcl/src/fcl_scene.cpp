@@ -14,6 +14,27 @@
 
 namespace conceptplan {
 
+namespace {
+
+/// What `clearanceAlong_m` tells of Euclid's distance, at least.
+constexpr double kLeastShare = 0.98;
+
+/// No point of the prism is further from its place: the lines of two neighbouring directions meet
+/// within that.
+double reachOf_m(const UprightPrism& prism) {
+  return std::ranges::max(prism.outline.support_m) / kLeastShare;
+}
+
+double distanceToWay_m(const Eigen::Vector2d& p_W, const Eigen::Vector2d& p_WFrom,
+                       const Eigen::Vector2d& p_WTo) {
+  const Eigen::Vector2d way = p_WTo - p_WFrom;
+  const double squared = way.squaredNorm();
+  const double share = squared > 0 ? std::clamp((p_W - p_WFrom).dot(way) / squared, 0.0, 1.0) : 0;
+  return (p_W - p_WFrom - share * way).norm();
+}
+
+}  // namespace
+
 struct FclScene::Parts {
   Parts(const Workbench& bench, std::vector<UprightPrism> prisms, double margin,
         std::shared_ptr<PrismShapes> known_shapes)
@@ -30,6 +51,7 @@ struct FclScene::Parts {
     for (UprightPrism& other : others) {
       bounds.push_back(boundsOf(other, other.p_WCentre, 0));
       bounds.back().setUserData(&other);
+      reaches_m.push_back(reachOf_m(other));
       registered.push_back(&bounds.back());
     }
     tree.registerObjects(registered);
@@ -72,6 +94,7 @@ struct FclScene::Parts {
 
   Workbench workbench;
   std::vector<UprightPrism> others;
+  std::vector<double> reaches_m;  // [others]
   double margin_m;
   std::size_t first_unmeasured = 0;  // others.size() if there is none
   std::shared_ptr<PrismShapes> shapes;
@@ -115,7 +138,12 @@ Verdict FclScene::checkMotion(const UprightPrism& target, const Eigen::Vector2d&
   } catch (const std::exception&) {
     return {Invalidity::kCheckFailed, 0, 0};
   }
+  const double reach_m = reachOf_m(target);
   for (std::size_t i = 0; i < others.size(); ++i) {
+    const double apart_m = distanceToWay_m(others[i].p_WCentre, target.p_WCentre, p_WTo) - reach_m -
+                           parts_->reaches_m[i];
+    const double watched_m = std::max(nearest.clearance_m, parts_->margin_m + kContactTolerance_m);
+    if (!met[i] && kLeastShare * apart_m > watched_m) continue;  // too far to change the answer
     const double distance_m = clearanceAlong_m(target, p_WTo, others[i]);
     if (met[i] || std::abs(distance_m - parts_->margin_m) <= kContactTolerance_m) {
       return {Invalidity::kCollision, i, distance_m};
