@@ -14,7 +14,8 @@ namespace conceptplan {
 std::shared_ptr<const fcl::Convexd> shapeOf(const Outline& outline, double height_m,
                                             double grown_m);
 
-/// All that the prism, grown likewise, sweeps along a way, about its place at the start.
+/// All that the prism, grown likewise, sweeps along a way, about its place at the start; `shapeOf`
+/// where the way is zero.
 std::shared_ptr<const fcl::Convexd> sweptShapeOf(const UprightPrism& prism,
                                                  const Eigen::Vector2d& way, double grown_m);
 

@@ -32,9 +32,7 @@ Contact sweptContactOf(const UprightPrism& a, const Eigen::Vector2d& p_WTo, cons
     return Contact::kTouching;
   }
   try {
-    const Eigen::Vector2d way = p_WTo - a.p_WCentre;
-    const auto moved =
-        way.isZero(0) ? shapeOf(a.outline, a.height_m, margin_m) : sweptShapeOf(a, way, margin_m);
+    const auto moved = sweptShapeOf(a, p_WTo - a.p_WCentre, margin_m);
     const bool meet = collide(*moved, a.p_WCentre, *shapeOf(b.outline, b.height_m, 0), b.p_WCentre);
     return meet ? Contact::kOverlapping : Contact::kApart;
   } catch (const std::exception&) {
