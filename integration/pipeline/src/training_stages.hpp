@@ -20,7 +20,7 @@ namespace conceptplan::training {
 struct Profile {
   std::string name;
   int concept_samples = 6;  ///< colour samples of each training combination
-  int tasks_per_level = 240;
+  int tasks_per_level = 960;
   std::size_t symbol_images = 8000;  ///< training images that are clustered
   /// Most validation images on which symbols are calibrated and measured.
   std::size_t validation_images = std::numeric_limits<std::size_t>::max();

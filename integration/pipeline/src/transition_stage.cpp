@@ -6,7 +6,7 @@
 
 namespace conceptplan::training {
 
-std::vector<Work> transitionWork() { return {{"data: tasks-train", 1.1}, {"transitions", 0.5}}; }
+std::vector<Work> transitionWork() { return {{"data: tasks-train", 4.4}, {"transitions", 2}}; }
 
 bool countTransitions(const Run& run, ModelManifest& manifest) {
   const auto data = taskData(run);

@@ -71,7 +71,7 @@ TaskSequence sequenceOf(const TaskDataset& data, const Task& task, const Concept
 }  // namespace
 
 std::vector<Work> victWork() {
-  return {{"data: tasks-train", 1.1}, {"reading tasks-train", 3}, {"vict", 24}};
+  return {{"data: tasks-train", 4.4}, {"reading tasks-train", 3}, {"vict", 24}};
 }
 
 bool trainVict(const Run& run, ModelManifest& manifest) {
