@@ -4,12 +4,15 @@
 #include <map>
 
 namespace conceptplan {
+
+static_assert(sizeof(Verdict) == 16);
+
 namespace {
 
 /// @param met the object in the cell; `objects` if there is none.
 Verdict verdictAt(const Workbench& workbench, Cell cell, std::size_t met, std::size_t objects) {
   if (!workbench.contains(cell)) return {Invalidity::kWorkbenchEdge, 0, 0};
-  if (met < objects) return {Invalidity::kCollision, met, 0};
+  if (met < objects) return {Invalidity::kCollision, static_cast<std::uint32_t>(met), 0};
   return {};
 }
 

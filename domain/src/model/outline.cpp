@@ -20,13 +20,16 @@ std::array<Eigen::Vector2d, kCount> unitVectors() {
   return directions;
 }
 
+/// The sine of the angle between a direction and the n-th after it. @pre n < kCount
+double sineOfSteps(std::size_t n) { return outlineDirection(n).y(); }
+
 /// Where the lines of directions k and k + 1 cross.
 Eigen::Vector2d crossing(const Outline& outline, std::size_t k) {
   const std::size_t next = (k + 1) % kCount;
   const Eigen::Vector2d& a = outlineDirection(k);
   const Eigen::Vector2d& b = outlineDirection(next);
-  const double of_a = outline.support_m[k] / std::sin(angle_rad(1));
-  const double of_b = outline.support_m[next] / std::sin(angle_rad(1));
+  const double of_a = outline.support_m[k] / sineOfSteps(1);
+  const double of_b = outline.support_m[next] / sineOfSteps(1);
   return {b.y() * of_a - a.y() * of_b, a.x() * of_b - b.x() * of_a};
 }
 
@@ -61,8 +64,7 @@ Outline tightened(const Outline& outline) {
         const double left = outline.support_m[(k + kCount - before) % kCount];
         const double right = outline.support_m[(k + after) % kCount];
         const double reached =
-            (std::sin(angle_rad(after)) * left + std::sin(angle_rad(before)) * right) /
-            std::sin(angle_rad(before + after));
+            (sineOfSteps(after) * left + sineOfSteps(before) * right) / sineOfSteps(before + after);
         tight.support_m[k] = std::min(tight.support_m[k], reached);
       }
     }
@@ -84,6 +86,13 @@ Outline unionOf(const Outline& a, const Outline& b) {
     both.support_m[k] = std::max(a.support_m[k], b.support_m[k]);
   }
   return both;
+}
+
+OutlineBox boxOf(const Outline& outline) {
+  constexpr std::size_t kQuarter = kCount / 4;
+  const auto& support_m = outline.support_m;
+  return {{-support_m[2 * kQuarter], -support_m[3 * kQuarter]},
+          {support_m[0], support_m[kQuarter]}};
 }
 
 double circumradius_m(const Outline& outline) {

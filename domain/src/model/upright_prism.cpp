@@ -2,18 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace conceptplan {
-namespace {
-
-/// The gap along direction k from `other` to `moved`.
-double gapAlong_m(const UprightPrism& moved, const UprightPrism& other, std::size_t k) {
-  return outlineDirection(k).dot(moved.p_WCentre - other.p_WCentre) - other.outline.support_m[k] -
-         moved.outline.support_m[opposite(k)];
-}
-
-}  // namespace
 
 bool UprightPrism::measured() const {
   return p_WCentre.allFinite() && std::isfinite(height_m) && height_m > 0 &&
@@ -29,12 +19,18 @@ UprightPrism prismOf(const Workbench& workbench, const SymbolGrounding& groundin
           footprint.height_m};
 }
 
-double clearance_m(const UprightPrism& a, const UprightPrism& b) {
-  double widest_m = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < Outline::kDirections; ++k) {
-    widest_m = std::max(widest_m, gapAlong_m(a, b, k));
+std::array<double, Outline::kDirections> gaps_m(const Outline& a, const Eigen::Vector2d& p_WA,
+                                                const Outline& b, const Eigen::Vector2d& p_WB) {
+  std::array<double, Outline::kDirections> gaps;
+  const Eigen::Vector2d p_BA_W = p_WA - p_WB;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    gaps[k] = outlineDirection(k).dot(p_BA_W) - b.support_m[k] - a.support_m[opposite(k)];
   }
-  return widest_m;
+  return gaps;
+}
+
+double clearance_m(const UprightPrism& a, const UprightPrism& b) {
+  return std::ranges::max(gaps_m(a.outline, a.p_WCentre, b.outline, b.p_WCentre));
 }
 
 double clearanceAlong_m(const UprightPrism& moved, const Eigen::Vector2d& p_WTo,
@@ -42,10 +38,10 @@ double clearanceAlong_m(const UprightPrism& moved, const Eigen::Vector2d& p_WTo,
   // The distance is convex in the share of the way: the largest of 16 linear functions. From the
   // start on, each turn goes to the next that overtakes, until it grows or the way ends.
   const Eigen::Vector2d way = p_WTo - moved.p_WCentre;
-  std::array<double, Outline::kDirections> gap_m, slope_m;
+  const auto gap_m = gaps_m(moved.outline, moved.p_WCentre, other.outline, other.p_WCentre);
+  std::array<double, Outline::kDirections> slope_m;
   std::size_t widest = 0;
   for (std::size_t k = 0; k < Outline::kDirections; ++k) {
-    gap_m[k] = gapAlong_m(moved, other, k);
     slope_m[k] = outlineDirection(k).dot(way);
     if (gap_m[k] > gap_m[widest] || (gap_m[k] == gap_m[widest] && slope_m[k] > slope_m[widest])) {
       widest = k;
@@ -71,16 +67,11 @@ double clearanceAlong_m(const UprightPrism& moved, const Eigen::Vector2d& p_WTo,
 }
 
 double edgeClearance_m(const Workbench& workbench, const UprightPrism& prism) {
-  double nearest_m = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < Outline::kDirections; k += Outline::kDirections / 4) {
-    const Eigen::Vector2d& outwards = outlineDirection(k);
-    const double half_m =
-        0.5 * workbench.cell_m *
-        std::abs(outwards.dot(Eigen::Vector2d(workbench.columns, workbench.rows)));
-    nearest_m =
-        std::min(nearest_m, half_m - outwards.dot(prism.p_WCentre) - prism.outline.support_m[k]);
-  }
-  return nearest_m;
+  const OutlineBox box = boxOf(prism.outline);
+  const Eigen::Vector2d half_m =
+      0.5 * workbench.cell_m * Eigen::Vector2d(workbench.columns, workbench.rows);
+  return std::min((half_m - prism.p_WCentre - box.high_m).minCoeff(),
+                  (half_m + prism.p_WCentre + box.low_m).minCoeff());
 }
 
 }  // namespace conceptplan

@@ -83,7 +83,8 @@ Picture rotationSheet(Renderer& renderer, const ContactSheetOptions& options) {
 Picture colorAndSizeSheet(Renderer& renderer, ObjectType type, const ContactSheetOptions& options) {
   check(options);
   Sheet sheet(6, 4, options.scale);
-  for (int size = 0; size < 4; ++size) sheet.labelColumn(size, "size " + std::to_string(size));
+  for (int size = 0; size < 4; ++size)
+    sheet.labelColumn(size, "size " + std::to_string(size + 1) + " of 4");
   for (int color = 0; color < 6; ++color) {
     sheet.labelRow(color, std::string(colorName(color)));
     for (int size = 0; size < 4; ++size) {

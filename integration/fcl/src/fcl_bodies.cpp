@@ -68,12 +68,9 @@ std::shared_ptr<const fcl::Convexd> sweptShapeOf(const UprightPrism& prism,
 
 fcl::CollisionObjectd boundsOf(const UprightPrism& prism, const Eigen::Vector2d& p_WTo,
                                double grown_m) {
-  const auto& support_m = prism.outline.support_m;
-  constexpr std::size_t kQuarter = Outline::kDirections / 4;
-  const Eigen::Vector2d low = prism.p_WCentre.cwiseMin(p_WTo) -
-                              Eigen::Vector2d(support_m[2 * kQuarter], support_m[3 * kQuarter]);
-  const Eigen::Vector2d high =
-      prism.p_WCentre.cwiseMax(p_WTo) + Eigen::Vector2d(support_m[0], support_m[kQuarter]);
+  const OutlineBox box = boxOf(prism.outline);
+  const Eigen::Vector2d low = prism.p_WCentre.cwiseMin(p_WTo) + box.low_m;
+  const Eigen::Vector2d high = prism.p_WCentre.cwiseMax(p_WTo) + box.high_m;
   const Eigen::Vector2d middle = 0.5 * (low + high);
   const Eigen::Vector2d size = (high - low).array() + 2 * grown_m;
   return {std::make_shared<fcl::Boxd>(size.x(), size.y(), prism.height_m),

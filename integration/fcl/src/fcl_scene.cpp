@@ -122,7 +122,7 @@ Verdict FclScene::check(const UprightPrism& target) const {
 Verdict FclScene::checkMotion(const UprightPrism& target, const Eigen::Vector2d& p_WTo) const {
   const std::vector<UprightPrism>& others = parts_->others;
   if (parts_->first_unmeasured < others.size()) {
-    return {Invalidity::kCheckFailed, parts_->first_unmeasured, 0};
+    return {Invalidity::kCheckFailed, static_cast<std::uint32_t>(parts_->first_unmeasured), 0};
   }
   if (!target.measured() || !p_WTo.allFinite()) return {Invalidity::kCheckFailed, 0, 0};
   UprightPrism moved = target;
@@ -146,7 +146,7 @@ Verdict FclScene::checkMotion(const UprightPrism& target, const Eigen::Vector2d&
     if (!met[i] && kLeastShare * apart_m > watched_m) continue;  // too far to change the answer
     const double distance_m = clearanceAlong_m(target, p_WTo, others[i]);
     if (met[i] || std::abs(distance_m - parts_->margin_m) <= kContactTolerance_m) {
-      return {Invalidity::kCollision, i, distance_m};
+      return {Invalidity::kCollision, static_cast<std::uint32_t>(i), distance_m};
     }
     nearest.clearance_m = std::min(nearest.clearance_m, distance_m);
   }

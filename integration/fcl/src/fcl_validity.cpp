@@ -2,10 +2,37 @@
 
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
+#include <utility>
 
 #include "prism_shapes.hpp"
 
 namespace conceptplan {
+namespace {
+
+/// Prisms of the symbols of one grounding. Few footprints serve many symbols, so each is clipped
+/// once.
+class Prisms {
+ public:
+  Prisms(const Workbench& workbench, const SymbolGrounding& grounding, double max_half_width_cells)
+      : workbench_(workbench), grounding_(grounding), max_half_width_cells_(max_half_width_cells) {}
+
+  UprightPrism operator()(const Symbols& symbols) {
+    const auto [known, is_new] = clipped_.try_emplace(&grounding_.footprint(symbols));
+    if (is_new) known->second = prismOf(workbench_, grounding_, symbols, max_half_width_cells_);
+    UprightPrism prism = known->second;
+    prism.p_WCentre = workbench_.p_WCell(grounding_.cell(symbols));
+    return prism;
+  }
+
+ private:
+  const Workbench& workbench_;
+  const SymbolGrounding& grounding_;
+  double max_half_width_cells_;
+  std::unordered_map<const Footprint*, UprightPrism> clipped_;
+};
+
+}  // namespace
 
 FclValidity::FclValidity(const FclValidityOptions& options)
     : options_(options), shapes_(std::make_shared<PrismShapes>()) {
@@ -30,31 +57,30 @@ std::vector<Verdict> FclValidity::checkAll(const Workbench& workbench,
                                            std::span<const Symbols> targets,
                                            std::span<const Symbols> others) const {
   const FclScene scene = sceneOf(workbench, grounding, others);
+  Prisms prisms(workbench, grounding, options_.max_half_width_cells);
   std::vector<Verdict> verdicts;
   verdicts.reserve(targets.size());
-  for (const Symbols& target : targets) {
-    verdicts.push_back(
-        scene.check(prismOf(workbench, grounding, target, options_.max_half_width_cells)));
-  }
+  for (const Symbols& target : targets) verdicts.push_back(scene.check(prisms(target)));
   return verdicts;
 }
 
 Verdict FclValidity::checkMotion(const Workbench& workbench, const SymbolGrounding& grounding,
                                  const Symbols& from, const Symbols& to,
                                  std::span<const Symbols> others) const {
-  UprightPrism target = prismOf(workbench, grounding, from, options_.max_half_width_cells);
-  const UprightPrism there = prismOf(workbench, grounding, to, options_.max_half_width_cells);
+  Prisms prisms(workbench, grounding, options_.max_half_width_cells);
+  UprightPrism target = prisms(from);
+  const UprightPrism there = prisms(to);
   target.outline = unionOf(target.outline, there.outline);
   return sceneOf(workbench, grounding, others).checkMotion(target, there.p_WCentre);
 }
 
 FclScene FclValidity::sceneOf(const Workbench& workbench, const SymbolGrounding& grounding,
                               std::span<const Symbols> others) const {
-  std::vector<UprightPrism> prisms;
-  for (const Symbols& other : others) {
-    prisms.push_back(prismOf(workbench, grounding, other, options_.max_half_width_cells));
-  }
-  return {workbench, std::move(prisms), options_.margin_m, shapes_};
+  Prisms prisms(workbench, grounding, options_.max_half_width_cells);
+  std::vector<UprightPrism> standing;
+  standing.reserve(others.size());
+  for (const Symbols& other : others) standing.push_back(prisms(other));
+  return {workbench, std::move(standing), options_.margin_m, shapes_};
 }
 
 std::array<bool, kNumConcepts> FclValidity::dependsOn() const {

@@ -78,13 +78,11 @@ void MotionProgram::setBounds(const MotionTask& task, const RefinementOptions& o
   for (std::size_t i = 0; i + 1 < task.waypoints.size(); ++i) {
     const Eigen::Index first = kSpansPerAction * static_cast<Eigen::Index>(i);
     if (!lifted.empty() && lifted[i]) high.row(2).segment<6>(first) = options.max_lift_m;
-    const auto& support_m = outlines_[i].support_m;
-    constexpr std::size_t kQuarter = Outline::kDirections / 4;
+    const OutlineBox box = boxOf(outlines_[i]);
     const Eigen::Array2d half_m =
         0.5 * bench.cell_m * Eigen::Array2d(bench.columns, bench.rows) - options.clearance_m;
-    const Eigen::Array2d lowest =
-        -half_m + Eigen::Array2d(support_m[2 * kQuarter], support_m[3 * kQuarter]);
-    const Eigen::Array2d highest = half_m - Eigen::Array2d(support_m[0], support_m[kQuarter]);
+    const Eigen::Array2d lowest = -half_m - box.low_m.array();
+    const Eigen::Array2d highest = half_m - box.high_m.array();
     for (Eigen::Index column = first; column < first + 6; ++column) {
       low.col(column).head<2>() = low.col(column).head<2>().max(lowest);
       high.col(column).head<2>() = high.col(column).head<2>().min(highest);
@@ -206,13 +204,9 @@ std::array<double, Outline::kDirections> MotionProgram::gapsBeside_m(
     const Pair& pair, const Eigen::Vector2d& p_W) const {
   const auto action = static_cast<std::size_t>(samples_[pair.sample].first / kSpansPerAction);
   const UprightPrism& obstacle = obstacles_[pair.obstacle];
-  const Eigen::Vector2d offset = p_W - obstacle.p_WCentre;
-  std::array<double, Outline::kDirections> gaps_m;
-  for (std::size_t k = 0; k < gaps_m.size(); ++k) {
-    gaps_m[k] = outlineDirection(k).dot(offset) - obstacle.outline.support_m[k] -
-                outlines_[action].support_m[opposite(k)] - clearance_m_;
-  }
-  return gaps_m;
+  auto gaps = gaps_m(outlines_[action], p_W, obstacle.outline, obstacle.p_WCentre);
+  for (double& gap_m : gaps) gap_m -= clearance_m_;
+  return gaps;
 }
 
 void MotionProgram::constraints(const Eigen::Ref<const Eigen::VectorXd>& variables, double* values,

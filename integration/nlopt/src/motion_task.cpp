@@ -18,10 +18,8 @@ double turnOf(Action action) {
 
 /// What an outline covers while it turns a quarter turn.
 Outline turning(const Outline& outline) {
-  double widest_m = 0;
-  for (std::size_t k = 0; k < Outline::kDirections; k += Outline::kDirections / 4) {
-    widest_m = std::max(widest_m, outline.support_m[k]);
-  }
+  const OutlineBox box = boxOf(outline);
+  const double widest_m = std::max(-box.low_m.minCoeff(), box.high_m.maxCoeff());
   return clipped(outlineOfDisc(circumradius_m(outline)), outlineOfSquare(widest_m));
 }
 

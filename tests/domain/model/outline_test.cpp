@@ -89,6 +89,18 @@ TEST(Outline, ClippedItIsInBothAndLeftAloneWhereItWas) {
   EXPECT_NEAR(octagon.support_m[2], 0.1, 1e-12);
 }
 
+TEST(Outline, ItsBoxHoldsItAndNoMore) {
+  std::mt19937_64 random(3);
+  const Outline outline = tightened(drawn(random));
+  Eigen::Vector2d low_m(1, 1), high_m(-1, -1);
+  for (const Eigen::Vector2d& corner : cornersOf(outline)) {
+    low_m = low_m.cwiseMin(corner);
+    high_m = high_m.cwiseMax(corner);
+  }
+  EXPECT_TRUE(boxOf(outline).low_m.isApprox(low_m));
+  EXPECT_TRUE(boxOf(outline).high_m.isApprox(high_m));
+}
+
 TEST(Outline, AUnionReachesAsFarAsEither) {
   std::mt19937_64 random(2);
   const Outline a = tightened(drawn(random));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -13,7 +13,7 @@
 namespace conceptplan {
 
 /// Why a state cannot be.
-enum class Invalidity {
+enum class Invalidity : std::uint8_t {
   kNone,           ///< it can be
   kCollision,      ///< the target meets another object
   kWorkbenchEdge,  ///< the target is not wholly on the workbench
@@ -23,11 +23,11 @@ enum class Invalidity {
 /// "none", "collision", "workbench_edge", "check_failed".
 std::string_view name(Invalidity cause);
 
-/// The answer of a validity check.
+/// The answer of a validity check; 16 bytes, since graphs have one a cell.
 struct Verdict {
   Invalidity cause = Invalidity::kNone;
-  std::size_t object = 0;  ///< which of `others` is met; only for kCollision
-  double clearance_m = 0;  ///< distance to what is nearest where the check measures it; else 0
+  std::uint32_t object = 0;  ///< which of `others` is met; only for kCollision
+  double clearance_m = 0;    ///< distance to what is nearest where the check measures it; else 0
 
   bool valid() const { return cause == Invalidity::kNone; }
   bool operator==(const Verdict&) const = default;

@@ -42,6 +42,15 @@ Outline clipped(const Outline& outline, const Outline& by);
 /// The outline of both together.
 Outline unionOf(const Outline& a, const Outline& b);
 
+/// An upright box about a place.
+struct OutlineBox {
+  Eigen::Vector2d low_m;   ///< its corner towards -x and -y
+  Eigen::Vector2d high_m;  ///< the opposite one
+};
+
+/// The box around an outline.
+OutlineBox boxOf(const Outline& outline);
+
 /// The distance of the corner that is farthest from the place.
 double circumradius_m(const Outline& outline);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "conceptplan/domain/model/symbol_grounding.hpp"
 #include "conceptplan/domain/workbench.hpp"
 
@@ -25,6 +27,11 @@ struct UprightPrism {
 /// @pre the symbols are below the cardinality of the grounding.
 UprightPrism prismOf(const Workbench& workbench, const SymbolGrounding& grounding,
                      const Symbols& symbols, double max_half_width_cells = kMaxHalfWidthCells);
+
+/// How far two outlines at their places are apart along each direction, from that of `b` to that of
+/// `a`, metres; negative where they overlap along it. [16]
+std::array<double, Outline::kDirections> gaps_m(const Outline& a, const Eigen::Vector2d& p_WA,
+                                                const Outline& b, const Eigen::Vector2d& p_WB);
 
 /// Distance of two prisms on one workbench, seen from above, metres: the widest gap between them
 /// along the 16 directions of outlines, which is Euclid's distance or up to 2 % less. Negative
