@@ -1,11 +1,18 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
+#include <random>
+#include <regex>
+
 #include "conceptplan/domain/dataset/concept_dataset.hpp"
 #include "conceptplan/domain/dataset/concept_dataset_writer.hpp"
 #include "conceptplan/domain/dataset/task_dataset.hpp"
 #include "conceptplan/domain/dataset/task_dataset_writer.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/rgbd_image_file.hpp"
+#include "conceptplan/domain/simulation/simulator.hpp"
+#include "domain/dataset/reseal.hpp"
 #include "domain/files/temporary_folder.hpp"
 #include "fuzz/damage.hpp"
 
@@ -70,6 +77,33 @@ TEST(ConceptDatasetFuzz, DamagedShardsNeverShowWrongPictures) {
   EXPECT_GT(refused, 20U);
 }
 
+TEST(ConceptDatasetFuzz, ResealedRecordsAreRefusedOrHaveAPixel) {
+  const TemporaryFolder folder;
+  writeConcepts(folder.path());
+  const std::string whole = readFile(folder / "concepts-00001.bin");
+  std::size_t refused = 0, read = 0;
+  testing::forEachDamage(whole.substr(kRecordsBegin, kRecordBytes), 40, 400, 31,
+                         [&](const std::string& record, const std::string& what) {
+                           SCOPED_TRACE(what);
+                           std::string bytes = whole, fitted = record;
+                           fitted.resize(kRecordBytes, '\0');
+                           bytes.replace(kRecordsBegin, kRecordBytes, fitted);
+                           resealRecord(bytes, 0);
+                           folder.write("concepts-00001.bin", bytes);
+                           const ConceptDataset dataset(folder.path());
+                           try {
+                             const ConceptSample sample = dataset.sample(960);
+                             EXPECT_EQ(combinationOf(sample.object), dataset.combinations()[960]);
+                             EXPECT_GT(std::ranges::count(sample.crop.mask, 1), 0);
+                             ++read;
+                           } catch (const InputError&) {
+                             ++refused;
+                           }
+                         });
+  EXPECT_GT(refused, 0U);
+  EXPECT_GT(read, 0U);
+}
+
 TEST(ConceptDatasetFuzz, RecordsThatChangedPlacesAreFound) {
   const TemporaryFolder folder;
   writeConcepts(folder.path());
@@ -100,6 +134,92 @@ TEST(DatasetFuzz, DamagedManifestsAreRefusedOrSayTheSame) {
   EXPECT_THAT(faultsOf([&] { ConceptDataset{folder.path()}; }), HasSubstr("nested too deeply"));
 }
 
+TEST(DatasetFuzz, ResealedManifestsAreRefusedOrSayWhatIsPossible) {
+  const TemporaryFolder folder;
+  TaskDatasetOptions written;
+  written.levels = {4, 2};
+  written.count = 3;
+  written.frames = Frames::kNone;
+  TaskDatasetWriter(folder.path(), written).finish();
+  std::size_t refused = 0, read = 0;
+  testing::forEachDamage(readFile(folder / "dataset.json"), 1000, 2000, 37,
+                         [&](const std::string& bytes, const std::string& what) {
+                           SCOPED_TRACE(what);
+                           folder.write("dataset.json", bytes);
+                           resealJson(folder / "dataset.json");
+                           try {
+                             const TaskDatasetOptions options =
+                                 TaskDataset(folder.path()).options();
+                             EXPECT_EQ(options.levels, written.levels);
+                             EXPECT_EQ(options.count, written.count);
+                             ++read;
+                           } catch (const InputError&) {
+                             ++refused;
+                           }
+                         });
+  EXPECT_GT(refused, 0U);
+  EXPECT_GT(read, 0U);
+}
+
+/// A random number, and half of the time a name, of the text gives way to another of its kind.
+std::string withOtherValues(std::string text, std::mt19937_64& generator) {
+  constexpr std::array kNumbers{"0", "1", "2", "3", "254", "299", "-1", "0.2", "1e-300", "1e999"};
+  constexpr std::array kNames{"move_front", "move_left", "rotate_left", "change_color",
+                              "Dyer",       "Egg",       "red",         "cyan"};
+  const auto replaceOne = [&](const std::regex& kind, const std::string& other) {
+    const std::vector<std::smatch> found(std::sregex_iterator(text.begin(), text.end(), kind), {});
+    const std::smatch& match = found[generator() % found.size()];
+    text.replace(static_cast<std::size_t>(match.position(1)),
+                 static_cast<std::size_t>(match.length(1)), other);
+  };
+  if (generator() % 2 == 0)
+    replaceOne(std::regex("\"([A-Za-z_]+)\"[,\\]]"), kNames[generator() % kNames.size()]);
+  replaceOne(std::regex("[:,]([0-9][0-9.]*)"), kNumbers[generator() % kNumbers.size()]);
+  return text;
+}
+
+/// Whether the set is read rather than refused; what is read makes sense.
+bool readsTasks(const std::filesystem::path& folder) {
+  try {
+    const TaskDataset dataset(folder);
+    EXPECT_EQ(dataset.tasks().size(), 5U);
+    for (const Task& task : dataset.tasks()) {
+      EXPECT_EQ(task.level, 4);
+      EXPECT_EQ(task.initial.workbench, Workbench{});
+      EXPECT_LT(task.initial.target, task.initial.objects.size());
+      const Replay end = replay(task.initial, task.reference);
+      EXPECT_TRUE(end.succeeded());
+      EXPECT_EQ(end.world.objects[task.initial.target], task.goal);
+    }
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+TEST(TaskDatasetFuzz, ResealedTasksAreRefusedOrMakeSense) {
+  const TemporaryFolder folder;
+  TaskDatasetOptions options;
+  options.levels = {4};
+  options.count = 5;
+  options.frames = Frames::kNone;
+  TaskDatasetWriter(folder.path(), options).finish();
+  const std::string whole = readFile(folder / "tasks.jsonl");
+  std::size_t refused = 0, read = 0;
+  const auto check = [&](const std::string& bytes, const std::string& what) {
+    SCOPED_TRACE(what);
+    folder.write("tasks.jsonl", bytes);
+    resealDataset(folder.path());
+    ++(readsTasks(folder.path()) ? read : refused);
+  };
+  testing::forEachDamage(whole, 200, 500, 41, check);
+  std::mt19937_64 generator(43);
+  for (int change = 0; change < 500; ++change)
+    check(withOtherValues(whole, generator), "values " + std::to_string(change));
+  EXPECT_GT(refused, 0U);
+  EXPECT_GT(read, 0U);
+}
+
 TEST(TaskDatasetFuzz, AnyDamageToTasksIsFound) {
   const TemporaryFolder folder;
   TaskDatasetOptions options;
@@ -120,6 +240,15 @@ TEST(TaskDatasetFuzz, AnyDamageToTasksIsFound) {
   EXPECT_EQ(TaskDataset(folder.path()).tasks().size(), 5U);
 }
 
+RgbdImage plainImage(std::uint8_t red) {
+  constexpr std::size_t kFramePixels = std::size_t{kFrameWidth} * kFrameHeight;
+  RgbdImage image{kFrameWidth, kFrameHeight, std::vector<std::uint8_t>(kFramePixels * 3, 5),
+                  std::vector<float>(kFramePixels, 2.5F),
+                  std::vector<std::uint8_t>(kFramePixels, 1)};
+  image.rgb[0] = red;
+  return image;
+}
+
 /// Pictures stay on disk until they are asked for; a damaged one is refused then, though it may be
 /// a picture still.
 TEST(TaskDatasetFuzz, DamagedPicturesAreRefused) {
@@ -128,8 +257,7 @@ TEST(TaskDatasetFuzz, DamagedPicturesAreRefused) {
   options.count = 1;
   options.frames = Frames::kEnds;
   const TaskDatasetWriter writer(folder.path(), options);
-  for (const auto& frame : writer.pendingFrames())
-    writer.write(frame, {2, 1, {9, 1, 2, 3, 4, 5}, {1.25F, 2.5F}, {0, 1}});
+  for (const auto& frame : writer.pendingFrames()) writer.write(frame, plainImage(9));
   writer.finish();
   const TaskDataset dataset(folder.path());
   const Task& task = dataset.tasks().front();
@@ -147,10 +275,41 @@ TEST(TaskDatasetFuzz, DamagedPicturesAreRefused) {
         });
     folder.write(file, whole);
   }
-  writeRgbdImage(folder / "images" / task.id / "00",
-                 {2, 1, {8, 1, 2, 3, 4, 5}, {1.25F, 2.5F}, {0, 1}});
-  EXPECT_THAT(faultsOf([&] { dataset.frame(task, 0); }), HasSubstr("00.rgb.png: is damaged"));
+  writeRgbdImage(folder / "images" / task.id / "00", plainImage(8));
+  EXPECT_THAT(faultsOf([&] { dataset.frame(task, 0); }), HasSubstr("00.rgb.png: "));
   EXPECT_NO_THROW(dataset.frame(task, goal));
+}
+
+TEST(TaskDatasetFuzz, ResealedPicturesAreRefusedOrOfTheRightSize) {
+  const TemporaryFolder folder;
+  TaskDatasetOptions options;
+  options.count = 1;
+  options.frames = Frames::kEnds;
+  const TaskDatasetWriter writer(folder.path(), options);
+  for (const auto& frame : writer.pendingFrames()) writer.write(frame, plainImage(9));
+  writer.finish();
+  const std::string first = "images/" + writer.tasks().front().id + "/00.";
+  std::size_t refused = 0;
+  for (const char* part : {"rgb.png", "depth.png", "mask.png"}) {
+    const std::string file = first + part;
+    const std::string whole = readFile(folder / file);
+    testing::forEachDamage(whole, 20, 60, 47,
+                           [&](const std::string& bytes, const std::string& what) {
+                             SCOPED_TRACE(file + ", " + what);
+                             folder.write(file, bytes);
+                             resealDataset(folder.path());
+                             const TaskDataset dataset(folder.path());
+                             try {
+                               const RgbdImage image = dataset.frame(dataset.tasks().front(), 0);
+                               EXPECT_EQ(image.width, kFrameWidth);
+                               EXPECT_EQ(image.height, kFrameHeight);
+                             } catch (const InputError&) {
+                               ++refused;
+                             }
+                           });
+    folder.write(file, whole);
+  }
+  EXPECT_GT(refused, 0U);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ std::vector<Fault> faultsOfShard(const MappedFile& file, std::size_t shard,
 }  // namespace
 
 struct ConceptDataset::Content {
+  std::filesystem::path folder;
   ConceptDatasetOptions options;
   ConceptSet set{0};
   std::vector<MappedFile> shards;
@@ -47,6 +48,7 @@ struct ConceptDataset::Content {
 
 ConceptDataset::ConceptDataset(const std::filesystem::path& folder) {
   auto content = std::make_unique<Content>();
+  content->folder = folder;
   content->options = conceptOptions(readManifest(folder, "concepts"), folder);
   content->set = ConceptSet(content->options.seed);
   std::vector<Fault> faults;
@@ -67,6 +69,7 @@ ConceptDataset::~ConceptDataset() = default;
 ConceptDataset::ConceptDataset(ConceptDataset&&) noexcept = default;
 ConceptDataset& ConceptDataset::operator=(ConceptDataset&&) noexcept = default;
 
+const std::filesystem::path& ConceptDataset::folder() const { return content_->folder; }
 const ConceptDatasetOptions& ConceptDataset::options() const { return content_->options; }
 
 const std::vector<CombinationId>& ConceptDataset::combinations() const {
@@ -97,15 +100,19 @@ ConceptSample ConceptDataset::sample(std::size_t position) const {
       file.bytes().substr(kShardHeaderBytes + position % kShardSize * kConceptRecordBytes,
                           kConceptRecordBytes),
       file.path());
-  const auto samples = static_cast<std::size_t>(options().samples);
-  if (sample.object != objectOf(combinations()[position / samples]) ||
-      sample.sample != static_cast<int>(position % samples))
+  const auto refuse = [&](const std::string& message) {
     throw InputError({{file.path().string(),
                        {},
                        {},
                        "",
-                       "record " + std::to_string(position % kShardSize) +
-                           " shows another object than belongs there"}});
+                       "record " + std::to_string(position % kShardSize) + message}});
+  };
+  const auto samples = static_cast<std::size_t>(options().samples);
+  if (sample.object != objectOf(combinations()[position / samples]) ||
+      sample.sample != static_cast<int>(position % samples))
+    refuse(" shows another object than belongs there");
+  if (std::ranges::count(sample.crop.mask, 0) == std::ssize(sample.crop.mask))
+    refuse(" has no pixel on its object");
   return sample;
 }
 

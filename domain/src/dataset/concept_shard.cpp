@@ -46,6 +46,8 @@ void check(const ObjectCrop& crop) {
       crop.mask.size() != kPixels)
     throw std::invalid_argument("a crop must be 64 x 64, not one of " +
                                 std::to_string(crop.mask.size()) + " pixels");
+  if (std::ranges::count(crop.mask, 0) == static_cast<std::ptrdiff_t>(kPixels))
+    throw std::invalid_argument("a crop has no pixel on its object");
   constexpr int kHighest = std::numeric_limits<std::int16_t>::max();
   if (std::max(std::abs(crop.left), std::abs(crop.top)) > kHighest)
     throw std::invalid_argument("a crop at (" + std::to_string(crop.left) + ", " +

@@ -16,7 +16,7 @@ void summariseTasks(const std::filesystem::path& folder, const Manifest& manifes
                     DatasetSummary& summary) {
   const TaskDatasetOptions options = taskOptions(manifest, folder);
   double total_length = 0;
-  for (const Task& task : readTasks(folder)) {
+  for (const Task& task : readTasks(folder, options)) {
     const std::size_t length = task.reference.size();
     ++summary.tasks;
     total_length += static_cast<double>(length);

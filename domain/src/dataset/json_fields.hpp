@@ -56,13 +56,6 @@ class JsonFields {
         unsignedInteger(key, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high)));
   }
 
-  double positive(const std::string& key) {
-    const nlohmann::json& field = at(key);
-    if (field.is_number() && field.get<double>() > 0) return field.get<double>();
-    if (!field.is_null()) fault(key, "expected a number above 0, found " + field.dump());
-    return 1;
-  }
-
   std::string text(const std::string& key) {
     const nlohmann::json& field = at(key);
     if (field.is_string()) return field.get<std::string>();

@@ -1,5 +1,6 @@
 #include "dataset/manifest.hpp"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 #include <utility>
@@ -66,11 +67,16 @@ TaskDatasetOptions taskOptions(const Manifest& manifest, const std::filesystem::
   JsonFields fields(manifest.options, origin(folder), faults, "options.");
   TaskDatasetOptions options;
   options.levels.clear();
-  for (const nlohmann::json& level : fields.at("levels")) {
-    if (level.is_number_unsigned() && level >= 1 && level <= 4) {
-      options.levels.push_back(level.get<int>());
-    } else {
+  const nlohmann::json& named = fields.at("levels");
+  const bool is_list = named.is_array() && !named.empty();
+  if (!is_list && !named.is_null()) fields.fault("levels", "expected a list of levels");
+  for (const nlohmann::json& level : is_list ? named : nlohmann::json::array()) {
+    if (!level.is_number_unsigned() || level < 1 || level > 4) {
       fields.fault("levels", "expected levels in [1, 4], found " + level.dump());
+    } else if (std::ranges::count(options.levels, level.get<int>()) > 0) {
+      fields.fault("levels", "level " + level.dump() + " is named twice");
+    } else {
+      options.levels.push_back(level.get<int>());
     }
   }
   options.count = fields.integer("count", 1, std::numeric_limits<int>::max());
@@ -111,11 +117,9 @@ Manifest readManifest(const std::filesystem::path& folder) {
   if (!version.is_null() && version != kVersion)
     fail(path,
          "expected a dataset of version " + std::to_string(kVersion) + ", found " + version.dump());
-  if (document.contains("checksum")) {
-    const std::string expected = fields.text("checksum"), found = hexadecimal(crc32OfJson(text));
-    if (expected != found)
-      fail(path, "is damaged: expected checksum " + expected + ", found " + found);
-  }
+  const std::string expected = fields.text("checksum"), found = hexadecimal(crc32OfJson(text));
+  if (faults.empty() && expected != found)
+    fail(path, "is damaged: expected checksum " + expected + ", found " + found);
   Manifest manifest;
   manifest.kind = fields.text("kind");
   if (manifest.kind != "tasks" && manifest.kind != "concepts")

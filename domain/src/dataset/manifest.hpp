@@ -36,7 +36,6 @@ nlohmann::json toJson(const ConceptDatasetOptions& options);
 TaskDatasetOptions taskOptions(const Manifest& manifest, const std::filesystem::path& folder);
 ConceptDatasetOptions conceptOptions(const Manifest& manifest, const std::filesystem::path& folder);
 
-/// One without a checksum of its own, as earlier versions wrote, is taken as it is.
 /// @throws InputError if the file is missing, malformed, damaged or of another version.
 Manifest readManifest(const std::filesystem::path& folder);
 

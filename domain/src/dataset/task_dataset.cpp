@@ -24,6 +24,10 @@ constexpr std::array<std::string_view, 3> kFrames{"none", "ends", "all"};
 /// Faults of more lines than this are not read out one by one.
 constexpr std::size_t kMostFaults = 100;
 
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
 }  // namespace
 
 std::string_view name(Frames frames) { return kFrames.at(static_cast<std::size_t>(frames)); }
@@ -73,14 +77,33 @@ std::filesystem::path frameStem(const Task& task, int step) {
   return std::filesystem::path("images") / task.id / number;
 }
 
-std::vector<Task> readTasks(const std::filesystem::path& folder) {
+std::vector<Task> readTasks(const std::filesystem::path& folder,
+                            const TaskDatasetOptions& options) {
   const std::filesystem::path path = folder / kTasksName;
   std::istringstream lines(readFile(path));
   std::vector<Task> tasks;
   std::vector<Fault> faults;
-  int number = 0;
-  for (std::string line; faults.size() < kMostFaults && std::getline(lines, line);)
-    tasks.push_back(parseTaskRecord(line, {path.string(), ++number, {}, "", ""}, faults));
+  const auto count = static_cast<std::size_t>(options.count);
+  for (std::string line; faults.size() < kMostFaults && std::getline(lines, line);) {
+    const std::size_t level = tasks.size() / count, earlier_faults = faults.size();
+    Fault origin{path.string(), static_cast<int>(tasks.size() + 1), {}, "", ""};
+    tasks.push_back(parseTaskRecord(line, origin, faults));
+    if (faults.size() > earlier_faults || level >= options.levels.size() ||
+        tasks.back().level == options.levels[level])
+      continue;
+    origin.key = "level";
+    origin.message = "expected " + std::to_string(options.levels[level]) + ", found " +
+                     std::to_string(tasks.back().level);
+    faults.push_back(std::move(origin));
+  }
+  const std::size_t expected = options.levels.size() * count;
+  if (faults.empty() && tasks.size() != expected)
+    faults.push_back(
+        {path.string(),
+         {},
+         {},
+         "",
+         "expected " + std::to_string(expected) + " tasks, found " + std::to_string(tasks.size())});
   if (!faults.empty()) throw InputError(std::move(faults));
   return tasks;
 }
@@ -106,16 +129,35 @@ TaskDataset::TaskDataset(const std::filesystem::path& folder) : folder_(folder) 
   std::vector<Fault> faults = files->faults(folder, kTasksName);
   if (!faults.empty()) throw InputError(std::move(faults));
   files_ = std::move(files);
-  tasks_ = readTasks(folder);
+  tasks_ = readTasks(folder, options_);
 }
 
 RgbdImage TaskDataset::frame(const Task& task, int step) const {
+  if (options_.frames != Frames::kAll &&
+      !std::ranges::binary_search(storedSteps(task, options_.frames), step))
+    throw InputError({{folder_.string(),
+                       {},
+                       {},
+                       "frames",
+                       "the set has no picture of step " + std::to_string(step) + " of " + task.id +
+                           ": it was made with --frames " + std::string(name(options_.frames)) +
+                           "; generate tasks --frames all makes one with the pictures of all " +
+                           "steps, --frames ends one with those of start and goal"}});
   const RgbdPaths paths = rgbdPaths(frameStem(task, step));
   std::vector<Fault> faults;
   for (const std::filesystem::path& path : {paths.rgb, paths.depth, paths.mask})
     std::ranges::move(files_->faults(folder_, path), std::back_inserter(faults));
   if (!faults.empty()) throw InputError(std::move(faults));
-  return readRgbdImage({folder_ / paths.rgb, folder_ / paths.depth, folder_ / paths.mask});
+  RgbdImage image =
+      readRgbdImage({folder_ / paths.rgb, folder_ / paths.depth, folder_ / paths.mask});
+  if (image.width != kFrameWidth || image.height != kFrameHeight)
+    throw InputError({{(folder_ / paths.rgb).string(),
+                       {},
+                       {},
+                       "rgb",
+                       "expected " + sizeText(kFrameWidth, kFrameHeight) + " pixels, found " +
+                           sizeText(image.width, image.height)}});
+  return image;
 }
 
 }  // namespace conceptplan

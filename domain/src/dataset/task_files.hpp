@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "conceptplan/domain/dataset/task_dataset.hpp"
 #include "conceptplan/domain/task.hpp"
 
 namespace conceptplan {
@@ -14,7 +15,8 @@ inline constexpr const char* kTasksName = "tasks.jsonl";
 /// endings.
 std::filesystem::path frameStem(const Task& task, int step);
 
-/// All lines of tasks.jsonl. @throws InputError with all faults.
-std::vector<Task> readTasks(const std::filesystem::path& folder);
+/// All lines of tasks.jsonl. @throws InputError with all faults, also for tasks of another number
+/// or level than the options say.
+std::vector<Task> readTasks(const std::filesystem::path& folder, const TaskDatasetOptions& options);
 
 }  // namespace conceptplan

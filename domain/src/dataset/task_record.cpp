@@ -3,15 +3,21 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "conceptplan/domain/files/json_depth.hpp"
+#include "conceptplan/domain/simulation/simulator.hpp"
 #include "dataset/json_fields.hpp"
 
 namespace conceptplan {
 namespace {
 
-constexpr int kMostCells = 1000;
 constexpr int kNumColors = 6;
+constexpr std::size_t kMostObjects = 255;  // their instance ids, from 1 on, fit a byte
+
+nlohmann::ordered_json workbenchRecord(const Workbench& workbench) {
+  return {{"columns", workbench.columns}, {"rows", workbench.rows}, {"cell_m", workbench.cell_m}};
+}
 
 nlohmann::ordered_json objectRecord(const ObjectState& object) {
   nlohmann::ordered_json record;
@@ -44,16 +50,33 @@ ObjectState parseObject(const nlohmann::json& record, const Workbench& workbench
   return object;
 }
 
+/// A fault for every object in the cell of an earlier one.
+void checkCells(const World& world, JsonFields& fields) {
+  std::set<Cell> taken;
+  for (std::size_t i = 0; i < world.objects.size(); ++i)
+    if (!taken.insert(world.objects[i].cell).second)
+      fields.fault("objects[" + std::to_string(i) + ']', "is in the cell of another object");
+}
+
+/// A fault if the reference is illegal or does not end at the goal.
+void checkReference(const Task& task, JsonFields& fields) {
+  const Replay end = replay(task.initial, task.reference);
+  if (!end.succeeded()) {
+    fields.fault("reference", "action " + std::to_string(end.steps + 1) + ", " +
+                                  std::string(name(task.reference[end.steps])) +
+                                  ", is illegal: " + std::string(name(*end.obstruction)));
+  } else if (end.world.objects[task.initial.target] != task.goal) {
+    fields.fault("reference", "does not end at the goal");
+  }
+}
+
 }  // namespace
 
 std::string taskRecord(const Task& task) {
   nlohmann::ordered_json record;
   record["id"] = task.id;
   record["level"] = task.level;
-  const Workbench& workbench = task.initial.workbench;
-  record["workbench"]["columns"] = workbench.columns;
-  record["workbench"]["rows"] = workbench.rows;
-  record["workbench"]["cell_m"] = workbench.cell_m;
+  record["workbench"] = workbenchRecord(task.initial.workbench);
   record["target"] = task.initial.target;
   record["objects"] = nlohmann::json::array();
   for (const ObjectState& object : task.initial.objects)
@@ -75,16 +98,17 @@ Task parseTaskRecord(const std::string& line, const Fault& origin, std::vector<F
     faults.back().message = "is not valid JSON";
     return task;
   }
+  const std::size_t earlier_faults = faults.size();
   JsonFields fields(record, origin, faults);
   task.id = fields.text("id");
   task.level = fields.integer("level", 1, 4);
-  JsonFields workbench(fields.at("workbench"), origin, faults, "workbench.");
-  task.initial.workbench.columns = workbench.integer("columns", 1, kMostCells);
-  task.initial.workbench.rows = workbench.integer("rows", 1, kMostCells);
-  task.initial.workbench.cell_m = workbench.positive("cell_m");
-  workbench.rejectOthers();
+  const nlohmann::json& workbench = fields.at("workbench");
+  const nlohmann::json standard = workbenchRecord(task.initial.workbench);
+  if (!workbench.is_null() && workbench != standard)
+    fields.fault("workbench", "expected " + standard.dump() + ", found " + workbench.dump());
   const nlohmann::json& objects = fields.at("objects");
-  if (!objects.is_array() || objects.empty()) fields.fault("objects", "expected a list of objects");
+  if (!objects.is_array() || objects.empty() || objects.size() > kMostObjects)
+    fields.fault("objects", "expected a list of 1 to " + std::to_string(kMostObjects) + " objects");
   for (const nlohmann::json& object : objects)
     task.initial.objects.push_back(parseObject(
         object, task.initial.workbench,
@@ -94,7 +118,8 @@ Task parseTaskRecord(const std::string& line, const Fault& origin, std::vector<F
     fields.fault("target", "is not the number of an object");
   task.goal = parseObject(fields.at("goal"), task.initial.workbench, "goal", origin, faults);
   const nlohmann::json& reference = fields.at("reference");
-  if (!reference.is_array()) fields.fault("reference", "expected a list of actions");
+  if (!reference.is_array() || reference.empty())
+    fields.fault("reference", "expected a list of actions");
   for (const nlohmann::json& action : reference) {
     const std::optional<Action> found =
         action.is_string() ? actionNamed(action.get<std::string>()) : std::nullopt;
@@ -103,6 +128,9 @@ Task parseTaskRecord(const std::string& line, const Fault& origin, std::vector<F
   }
   task.appearance = fields.unsignedInteger("appearance");
   fields.rejectOthers();
+  if (faults.size() > earlier_faults) return task;
+  checkCells(task.initial, fields);
+  checkReference(task, fields);
   return task;
 }
 

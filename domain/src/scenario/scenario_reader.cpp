@@ -14,6 +14,7 @@ namespace {
 constexpr int kFormatVersion = 1;
 constexpr int kMostPlans = 1000;
 constexpr int kMostObjects = 255;
+constexpr int kMostEvaluations = 1'000'000;
 constexpr double kSumTolerance = 1e-3;
 constexpr const char* kFileName = "scenario.yaml";
 /// What plans for several targets where no planner is named; `belief` is for one.
@@ -125,10 +126,17 @@ class ScenarioReader {
 
   void readRefine(YamlMap& root) {
     if (!root.has("refine")) return;
-    YamlMap refine(document_, *root.node("refine"), "refine", {"clearance_m"});
+    YamlMap refine(document_, *root.node("refine"), "refine",
+                   {"clearance_m", "algorithm", "max_evaluations"});
+    RefinementChoice choice;
     if (refine.require("clearance_m")) {
-      scenario_.refine_clearance_m = refine.number("clearance_m", 0, 1);
+      choice.clearance_m = refine.number("clearance_m", 0, 1).value_or(choice.clearance_m);
     }
+    choice.algorithm = refine.text("algorithm");
+    if (const auto evaluations = refine.integer("max_evaluations", 1, kMostEvaluations)) {
+      choice.max_evaluations = static_cast<int>(*evaluations);
+    }
+    scenario_.refine = std::move(choice);
   }
 
   void readInput(YamlMap& root) {

@@ -61,6 +61,16 @@ void emitPlanner(YAML::Emitter& out, const PlannerChoice& planner) {
   out << YAML::Key << "top" << YAML::Value << planner.top << YAML::EndMap;
 }
 
+void emitRefinement(YAML::Emitter& out, const RefinementChoice& refine) {
+  out << YAML::Key << "refine" << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key
+      << "clearance_m" << YAML::Value << refine.clearance_m;
+  if (refine.algorithm) out << YAML::Key << "algorithm" << YAML::Value << *refine.algorithm;
+  if (refine.max_evaluations) {
+    out << YAML::Key << "max_evaluations" << YAML::Value << *refine.max_evaluations;
+  }
+  out << YAML::EndMap;
+}
+
 std::string scenarioText(const Scenario& scenario, bool has_reference) {
   YAML::Emitter out;
   out.SetDoublePrecision(12);
@@ -76,10 +86,7 @@ std::string scenarioText(const Scenario& scenario, bool has_reference) {
     out << YAML::Key << "targets" << YAML::Value << YAML::Flow << targets;
   }
   emitPlanner(out, scenario.planner);
-  if (scenario.refine_clearance_m) {
-    out << YAML::Key << "refine" << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key
-        << "clearance_m" << YAML::Value << *scenario.refine_clearance_m << YAML::EndMap;
-  }
+  if (scenario.refine) emitRefinement(out, *scenario.refine);
   out << YAML::Key << "render" << YAML::Value << scenario.render;
   if (has_reference) out << YAML::Key << "reference" << YAML::Value << "reference.yaml";
   out << YAML::EndMap;

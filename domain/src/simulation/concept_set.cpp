@@ -113,7 +113,11 @@ std::uint64_t ConceptSet::appearance(CombinationId combination, int sample) cons
   if (sample < 0 || sample >= kNumColorSamples)
     throw std::invalid_argument("sample " + std::to_string(sample) + " is not in [0, " +
                                 std::to_string(kNumColorSamples) + ")");
-  const auto number = static_cast<std::uint64_t>(sample);
+  auto number = static_cast<std::uint64_t>(sample);
+  if (split(combination) != Split::kTrain)
+    number =
+        (stableHash({seed_, index(combination), kNumColorSamples}) % kNumColorSamples + number) %
+        kNumColorSamples;
   return (stableHash({seed_, index(combination), number}) >> 7) * kNumColorSamples + number;
 }
 

@@ -9,6 +9,7 @@
 #include "conceptplan/domain/dataset/concept_dataset_writer.hpp"
 #include "conceptplan/domain/dataset/task_dataset_writer.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
+#include "domain/dataset/reseal.hpp"
 #include "domain/files/temporary_folder.hpp"
 
 namespace conceptplan {
@@ -135,6 +136,20 @@ TEST(ConceptDataset, ADamagedRecordIsFoundWhenItIsRead) {
               HasSubstr("concepts-00000.bin: a record is damaged"));
 }
 
+TEST(ConceptDataset, ARecordWithoutAPixelOnItsObjectIsRefused) {
+  const TemporaryFolder folder;
+  writeDataset(folder.path(), kOptions);
+  std::string bytes = readFile(folder / "concepts-00000.bin");
+  const std::size_t depths = 16 + 3 * kPixels;
+  bytes.replace(kRecordsBegin + 7 * kRecordBytes + depths, 2 * kPixels, 2 * kPixels, '\0');
+  resealRecord(bytes, 7);
+  writeFileAtomically(folder / "concepts-00000.bin", bytes);
+  const ConceptDataset dataset(folder.path());
+  EXPECT_THAT(faultsOf([&] { dataset.sample(7); }),
+              HasSubstr("concepts-00000.bin: record 7 has no pixel on its object"));
+  EXPECT_NO_THROW(dataset.sample(8));
+}
+
 TEST(ConceptDataset, ASetOfTasksIsRefused) {
   const TemporaryFolder folder;
   TaskDatasetOptions tasks;
@@ -187,6 +202,9 @@ TEST(ConceptDatasetWriter, CropsOfAnotherShapeAreRefused) {
   crops[5].mask.assign(kPixels, 1);
   EXPECT_THAT([&] { writer.write(1, crops); },
               testing::ThrowsMessage<std::invalid_argument>(HasSubstr("of a pixel on the object")));
+  crops[5].mask.assign(kPixels, 0);
+  EXPECT_THAT([&] { writer.write(1, crops); },
+              testing::ThrowsMessage<std::invalid_argument>("a crop has no pixel on its object"));
   EXPECT_FALSE(std::filesystem::exists(folder / "concepts-00001.bin"));
   EXPECT_THROW(ConceptDatasetWriter(folder / "x", {.samples = 21}), std::invalid_argument);
 }

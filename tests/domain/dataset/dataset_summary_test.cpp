@@ -81,18 +81,21 @@ TEST(DatasetSummary, DamagedTasksAreAFaultAndNotRead) {
   EXPECT_THAT(texts, HasSubstr("tasks.jsonl:1: id: expected a text, found 3"));
   EXPECT_THAT(texts, HasSubstr("tasks.jsonl:1: goal: is missing"));
   EXPECT_THAT(texts, HasSubstr("tasks.jsonl:2: is not valid JSON"));
+  EXPECT_THAT(texts, testing::Not(HasSubstr("level: expected")));
 }
 
 TEST(DatasetSummary, CountsConcepts) {
   const TemporaryFolder folder;
   const ConceptDatasetOptions options{.split = Split::kValidation, .samples = 1};
   const ConceptDatasetWriter writer(folder.path(), options);
-  ObjectCrop black;
-  black.rgb.assign(64 * 64 * 3, 0);
-  black.depth_m.assign(64 * 64, 0);
-  black.mask.assign(64 * 64, 0);
+  ObjectCrop point;
+  point.rgb.assign(64 * 64 * 3, 0);
+  point.depth_m.assign(64 * 64, 0);
+  point.mask.assign(64 * 64, 0);
+  point.depth_m[0] = 2;
+  point.mask[0] = 1;
   for (const std::size_t shard : writer.pendingShards())
-    writer.write(shard, std::vector<ObjectCrop>(writer.requests(shard).size(), black));
+    writer.write(shard, std::vector<ObjectCrop>(writer.requests(shard).size(), point));
   writer.finish();
   const DatasetSummary summary = describeDataset(folder.path());
   EXPECT_EQ(summary.kind, "concepts");

@@ -11,7 +11,9 @@
 #include "conceptplan/domain/dataset/task_dataset_writer.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/checksum.hpp"
+#include "conceptplan/domain/files/rgbd_image_file.hpp"
 #include "conceptplan/domain/simulation/task_generator.hpp"
+#include "domain/dataset/reseal.hpp"
 #include "domain/files/temporary_folder.hpp"
 
 namespace conceptplan {
@@ -29,14 +31,16 @@ TaskDatasetOptions smallOptions() {
   return options;
 }
 
-RgbdImage smallImage(std::uint8_t value) {
-  return {2, 1, {value, 1, 2, 3, 4, 5}, {1.25F, 2.5F}, {0, 1}};
+RgbdImage plainImage(std::uint8_t value, int width = kFrameWidth, int height = kFrameHeight) {
+  const auto pixels = static_cast<std::size_t>(width * height);
+  return {width, height, std::vector<std::uint8_t>(pixels * 3, value),
+          std::vector<float>(pixels, 2.5F), std::vector<std::uint8_t>(pixels, 1)};
 }
 
 void writeDataset(const std::filesystem::path& folder, const TaskDatasetOptions& options) {
   const TaskDatasetWriter writer(folder, options);
   for (const auto& frame : writer.pendingFrames())
-    writer.write(frame, smallImage(static_cast<std::uint8_t>(frame.step)));
+    writer.write(frame, plainImage(static_cast<std::uint8_t>(frame.step)));
   writer.finish();
 }
 
@@ -48,7 +52,6 @@ void replaceInFile(const std::filesystem::path& path, const std::string& from,
   writeFileAtomically(path, bytes.replace(position, from.size(), to));
 }
 
-/// Leaves a manifest as earlier versions wrote it.
 void takeChecksumOut(const std::filesystem::path& path) {
   std::string text = readFile(path);
   const std::size_t begin = text.find(",\n  \"checksum\"");
@@ -93,10 +96,39 @@ TEST(TaskDataset, FramesAreReadBack) {
   const Task& task = dataset.tasks()[0];
   const int last = static_cast<int>(task.reference.size());
   const RgbdImage goal = dataset.frame(task, last);
-  EXPECT_EQ(goal.rgb, smallImage(static_cast<std::uint8_t>(last)).rgb);
-  EXPECT_EQ(goal.mask, smallImage(0).mask);
+  EXPECT_EQ(goal.rgb, plainImage(static_cast<std::uint8_t>(last)).rgb);
+  EXPECT_EQ(goal.mask, plainImage(0).mask);
   EXPECT_NEAR(goal.depth_m[1], 2.5, 1e-6);
-  EXPECT_THAT(faultsOf([&] { dataset.frame(task, last + 1); }), HasSubstr(".rgb.png"));
+}
+
+TEST(TaskDataset, PicturesThatASetWasMadeWithoutAreNamedOnce) {
+  const TemporaryFolder folder;
+  TaskDatasetOptions options = smallOptions();
+  writeDataset(folder / "none", options);
+  options.frames = Frames::kEnds;
+  writeDataset(folder / "ends", options);
+  const Task task = TaskDataset(folder / "none").tasks()[0];
+  EXPECT_EQ(faultsOf([&] { TaskDataset(folder / "none").frame(task, 0); }),
+            (folder / "none").string() +
+                ": frames: the set has no picture of step 0 of level4-000000: it was made with "
+                "--frames none; generate tasks --frames all makes one with the pictures of all "
+                "steps, --frames ends one with those of start and goal\n");
+  EXPECT_THAT(faultsOf([&] { TaskDataset(folder / "ends").frame(task, 1); }),
+              HasSubstr("no picture of step 1 of level4-000000: it was made with --frames ends"));
+}
+
+TEST(TaskDataset, PicturesOfAnotherSizeAreRefused) {
+  const TemporaryFolder folder;
+  TaskDatasetOptions options = smallOptions();
+  options.frames = Frames::kEnds;
+  writeDataset(folder.path(), options);
+  writeRgbdImage(folder / "images" / "level4-000001" / "00", plainImage(0, 90, 90));
+  resealDataset(folder.path());
+  const TaskDataset dataset(folder.path());
+  EXPECT_NO_THROW(dataset.frame(dataset.tasks()[0], 0));
+  EXPECT_EQ(faultsOf([&] { dataset.frame(dataset.tasks()[1], 0); }),
+            (folder / "images" / "level4-000001" / "00.rgb.png").string() +
+                ": rgb: expected 384 x 256 pixels, found 90 x 90\n");
 }
 
 TEST(TaskDataset, StoredStepsAreNoneTheEndsOrAll) {
@@ -161,10 +193,10 @@ TEST(TaskDataset, AFolderThatIsNoDatasetIsNamed) {
 TEST(TaskDataset, AllFaultsOfTheManifestAreTold) {
   const TemporaryFolder folder;
   writeDataset(folder.path(), smallOptions());
-  takeChecksumOut(folder / "dataset.json");
   replaceInFile(folder / "dataset.json", "\"count\": 3", "\"count\": 0");
   replaceInFile(folder / "dataset.json", "\"test\"", "\"tset\"");
   replaceInFile(folder / "dataset.json", "\"seed\": 12", "\"sead\": 12");
+  resealJson(folder / "dataset.json");
   const std::string faults = readingFaults(folder.path());
   EXPECT_THAT(faults, HasSubstr("options.count: expected an integer in [1, 2147483647], found 0"));
   EXPECT_THAT(faults, HasSubstr("options.split: has no value \"tset\""));
@@ -172,15 +204,90 @@ TEST(TaskDataset, AllFaultsOfTheManifestAreTold) {
   EXPECT_THAT(faults, HasSubstr("options.sead: is unknown"));
 }
 
-TEST(TaskDataset, AManifestThatWasChangedIsRefusedAndOneWithoutAChecksumRead) {
+TEST(TaskDataset, LevelsOfTheManifestAreAListOfDifferentOnes) {
+  for (const auto& [levels, fault] :
+       {std::pair{"3", "options.levels: expected a list of levels"},
+        std::pair{"[]", "options.levels: expected a list of levels"},
+        std::pair{"[1, 1]", "options.levels: level 1 is named twice"},
+        std::pair{"[5, 1]", "options.levels: expected levels in [1, 4], found 5"}}) {
+    const TemporaryFolder folder;
+    writeDataset(folder.path(), smallOptions());
+    replaceInFile(folder / "dataset.json", "[\n      4,\n      1\n    ]", levels);
+    resealJson(folder / "dataset.json");
+    EXPECT_THAT(readingFaults(folder.path()), HasSubstr(fault)) << levels;
+  }
+}
+
+TEST(TaskDataset, AManifestThatWasChangedIsRefusedWithAndWithoutItsChecksum) {
   const TemporaryFolder folder;
-  writeDataset(folder.path(), smallOptions());
-  takeChecksumOut(folder / "dataset.json");
-  EXPECT_EQ(TaskDataset(folder.path()).options(), smallOptions());
   writeDataset(folder.path(), smallOptions());
   replaceInFile(folder / "dataset.json", "\"seed\": 12", "\"seed\": 13");
   EXPECT_THAT(readingFaults(folder.path()),
               HasSubstr("dataset.json: is damaged: expected checksum "));
+  takeChecksumOut(folder / "dataset.json");
+  EXPECT_THAT(readingFaults(folder.path()), HasSubstr("dataset.json: checksum: is missing"));
+}
+
+/// What is wrong with a set of one task of level 3 after a change of its only line.
+std::string faultsAfter(const std::string& from, const std::string& to) {
+  const TemporaryFolder folder;
+  TaskDatasetOptions options = smallOptions();
+  options.levels = {3};
+  options.count = 1;
+  writeDataset(folder.path(), options);
+  replaceInFile(folder / "tasks.jsonl", from, to);
+  resealDataset(folder.path());
+  return readingFaults(folder.path());
+}
+
+TEST(TaskDataset, ASetOfOtherTasksThanItsOptionsSayIsRefused) {
+  const TemporaryFolder folder;
+  writeDataset(folder.path(), smallOptions());
+  const std::string lines = readFile(folder / "tasks.jsonl");
+  const auto faults_with = [&](const std::string& text) {
+    writeFileAtomically(folder / "tasks.jsonl", text);
+    resealDataset(folder.path());
+    return readingFaults(folder.path());
+  };
+  EXPECT_EQ(faults_with(lines), "");
+  EXPECT_THAT(faults_with(""), HasSubstr("tasks.jsonl: expected 6 tasks, found 0"));
+  const std::string first = lines.substr(0, lines.find('\n') + 1);
+  EXPECT_THAT(faults_with(lines + first), HasSubstr("tasks.jsonl: expected 6 tasks, found 7"));
+  EXPECT_THAT(faults_with(lines.substr(first.size()) + first),
+              testing::AllOf(HasSubstr("tasks.jsonl:3: level: expected 4, found 1"),
+                             HasSubstr("tasks.jsonl:6: level: expected 1, found 4")));
+  EXPECT_THAT(faultsAfter("\"level\":3", "\"level\":2"),
+              HasSubstr("tasks.jsonl:1: level: expected 3, found 2"));
+}
+
+TEST(TaskDataset, OtherWorkbenchesThanTheStandardOneAreRefused) {
+  for (const auto& [from, to] :
+       {std::pair{"\"cell_m\":0.2", "\"cell_m\":1e-300"}, std::pair{"\"rows\":5", "\"rows\":6"},
+        std::pair{"\"columns\":3", "\"columns\":\"3\""}})
+    EXPECT_THAT(faultsAfter(from, to),
+                HasSubstr("tasks.jsonl:1: workbench: expected {\"cell_m\":0.2,"
+                          "\"columns\":3,\"rows\":5}, found {"));
+}
+
+TEST(TaskDataset, MoreObjectsThanInstanceIdsAreRefusedAndSoAreTwoInACell) {
+  const std::string egg = R"({"type":"Egg","x":0,"y":0,"rotation":0,"color":"red","size":0},)";
+  std::string eggs;
+  for (int i = 0; i < 255; ++i) eggs += egg;
+  EXPECT_THAT(faultsAfter("\"objects\":[", "\"objects\":[" + eggs),
+              HasSubstr("tasks.jsonl:1: objects: expected a list of 1 to 255 objects"));
+  EXPECT_THAT(faultsAfter("\"objects\":[", "\"objects\":[" + egg + egg),
+              HasSubstr("tasks.jsonl:1: objects[1]: is in the cell of another object"));
+}
+
+TEST(TaskDataset, ReferencesThatTheSimulatorDoesNotFollowToTheGoalAreRefused) {
+  EXPECT_THAT(
+      faultsAfter("\"reference\":[", "\"reference\":[\"move_left\",\"move_left\",\"move_left\","),
+      testing::ContainsRegex("tasks.jsonl:1: reference: action [123], move_left, is illegal: "
+                             "(off_workbench|collision)"));
+  EXPECT_THAT(faultsAfter("\"reference\":[", "\"reference\":[\"rotate_left\","),
+              HasSubstr("tasks.jsonl:1: reference: does not end at the goal"));
+  EXPECT_THAT(faultsAfter("\"reference\":[", "\"reference\":[],\"else\":["),
+              HasSubstr("tasks.jsonl:1: reference: expected a list of actions"));
 }
 
 TEST(TaskDataset, DamagedTasksAreRefused) {
@@ -215,13 +322,13 @@ TEST(TaskDatasetWriter, AnInterruptedSetIsRefusedUntilItIsContinued) {
   const TaskDatasetWriter first(folder.path(), options);
   const auto pending = first.pendingFrames();
   EXPECT_EQ(pending.size(), first.numFrames());
-  first.write(pending[1], smallImage(1));
+  first.write(pending[1], plainImage(1));
   EXPECT_THAT(readingFaults(folder.path()), HasSubstr("the generation was interrupted"));
   EXPECT_NE(faultsOf([&] { first.finish(); }), "");
 
   const TaskDatasetWriter second(folder.path(), options);
   EXPECT_EQ(second.pendingFrames().size(), pending.size() - 1);
-  for (const auto& frame : second.pendingFrames()) second.write(frame, smallImage(1));
+  for (const auto& frame : second.pendingFrames()) second.write(frame, plainImage(1));
   second.finish();
   EXPECT_EQ(readingFaults(folder.path()), "");
 }

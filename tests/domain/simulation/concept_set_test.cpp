@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -98,12 +99,38 @@ TEST(ConceptSet, EachPictureHasAnAppearanceOfItsOwn) {
   for (std::size_t i = 0; i < kNumCombinations; ++i) {
     for (int sample = 0; sample < kNumColorSamples; ++sample) {
       const std::uint64_t seed = set.appearance(static_cast<CombinationId>(i), sample);
-      EXPECT_EQ(seed % kNumColorSamples, static_cast<std::uint64_t>(sample));
       EXPECT_EQ(seed >> 62, 0u);
       seeds.insert(seed);
     }
   }
   EXPECT_EQ(seeds.size(), 230400u);
+}
+
+std::uint64_t colorSampleOf(const ConceptSet& set, CombinationId combination, int sample) {
+  return set.appearance(combination, sample) % kNumColorSamples;
+}
+
+TEST(ConceptSet, ColorSamplesOfTheTrainSplitAreTheFirst) {
+  const ConceptSet set(0);
+  for (const CombinationId combination : set.combinations(Split::kTrain))
+    for (int sample = 0; sample < kNumColorSamples; ++sample)
+      EXPECT_EQ(colorSampleOf(set, combination, sample), static_cast<std::uint64_t>(sample));
+}
+
+TEST(ConceptSet, FirstSamplesOfTheOtherSplitsShareAllColorSamplesEvenly) {
+  const ConceptSet set(0);
+  for (const Split split : {Split::kValidation, Split::kTest}) {
+    std::array<double, kNumColorSamples> counts{};
+    for (const CombinationId combination : set.combinations(split)) {
+      const std::uint64_t first = colorSampleOf(set, combination, 0);
+      ++counts[first];
+      for (int sample = 1; sample < kNumColorSamples; ++sample)
+        EXPECT_EQ(colorSampleOf(set, combination, sample),
+                  (first + static_cast<std::uint64_t>(sample)) % kNumColorSamples);
+    }
+    const double even = static_cast<double>(set.combinations(split).size()) / kNumColorSamples;
+    for (const double count : counts) EXPECT_NEAR(count, even, 4 * std::sqrt(even)) << name(split);
+  }
 }
 
 TEST(ConceptSet, WhatIsOutsideTheSetIsABrokenPrecondition) {

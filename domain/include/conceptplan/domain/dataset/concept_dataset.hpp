@@ -25,7 +25,7 @@ struct ConceptDatasetOptions {
 /// One object alone, and what it is.
 struct ConceptSample {
   ObjectState object;
-  int sample = 0;  ///< colour sample, in [0, samples)
+  int sample = 0;  ///< in [0, samples); its colours are those of `ConceptSet::appearance`
   ObjectCrop crop;
 };
 
@@ -41,6 +41,7 @@ class ConceptDataset {
   ConceptDataset(ConceptDataset&&) noexcept;
   ConceptDataset& operator=(ConceptDataset&&) noexcept;
 
+  const std::filesystem::path& folder() const;
   const ConceptDatasetOptions& options() const;
 
   /// Of the combinations in this set.
@@ -55,7 +56,7 @@ class ConceptDataset {
 
   /// Depth is stored in tenths of a millimetre.
   /// @throws std::invalid_argument if `position >= size()`.
-  /// @throws InputError if the record is damaged.
+  /// @throws InputError if the record is damaged, or has no pixel on its object.
   ConceptSample sample(std::size_t position) const;
 
  private:

@@ -37,8 +37,8 @@ class ConceptDatasetWriter {
   std::vector<Request> requests(std::size_t shard) const;
 
   /// Writes a shard: one crop a request, in order. Thread-safe for different shards.
-  /// @throws std::invalid_argument if a crop has another shape, or depth outside its mask or none
-  ///   within it, or beyond 6.5535 m.
+  /// @throws std::invalid_argument if a crop has another shape or no pixel on its object, or depth
+  ///   outside its mask or none within it, or beyond 6.5535 m.
   /// @throws InputError, std::runtime_error as `writeFileAtomically`.
   void write(std::size_t shard, std::span<const ObjectCrop> crops) const;
 

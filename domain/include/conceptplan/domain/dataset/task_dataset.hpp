@@ -49,9 +49,11 @@ World worldAtStep(const Task& task, int step);
 /// A set of tasks on disk. docs/datasets.md describes its files. Immutable, thread-safe.
 class TaskDataset {
  public:
-  /// Reads the tasks and checks them against their checksum; pictures stay on disk.
-  /// @throws InputError with all faults: a file missing, damaged or of another version or kind, or
-  ///   a set whose generation was interrupted.
+  /// Reads the tasks and checks them against their checksum, the options and the simulator;
+  /// pictures stay on disk.
+  /// @throws InputError with all faults: a file missing, damaged or of another version or kind, a
+  ///   set whose generation was interrupted, tasks of another number or level than the options say,
+  ///   another workbench than the standard one, a reference that is illegal or misses the goal.
   explicit TaskDataset(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -59,7 +61,7 @@ class TaskDataset {
   const std::vector<Task>& tasks() const { return tasks_; }
 
   /// The picture of a task after `step` actions of its reference, checked against its checksums.
-  /// @throws InputError if it is not stored, or damaged.
+  /// @throws InputError if it is not stored, damaged or not 384 x 256.
   RgbdImage frame(const Task& task, int step) const;
 
  private:

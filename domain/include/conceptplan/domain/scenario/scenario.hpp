@@ -38,6 +38,15 @@ struct PlannerChoice {
   int top = 5;                                 ///< number of plans wanted, in [1, 1000]
 };
 
+/// How the best plan becomes a smooth motion.
+struct RefinementChoice {
+  double clearance_m = 0;  ///< to keep to every object and to the workbench's edge, in [0, 1]
+  /// As written; whoever knows the refiner checks it. Nothing: the refiner's own.
+  std::optional<std::string> algorithm = {};
+  std::optional<int> max_evaluations = {};  ///< in [1, 1e6]; nothing: the refiner's own
+  bool operator==(const RefinementChoice&) const = default;
+};
+
 /// Where something stands in a file, from 1.
 struct TextPosition {
   int line = 0;
@@ -54,7 +63,7 @@ struct Scenario {
   /// Instance ids, each once, of several objects to be moved; empty: `target` alone.
   std::vector<std::uint8_t> targets;
   PlannerChoice planner;
-  std::optional<double> refine_clearance_m;  ///< nothing: no refinement wanted
+  std::optional<RefinementChoice> refine;  ///< nothing: no refinement wanted
   bool render = true;
   std::optional<std::filesystem::path> reference;  ///< ground truth; planners never see it
 

@@ -48,8 +48,10 @@ class ConceptSet {
   /// be empty. An anchor and its six partners make a batch in which each pair differs in one token.
   std::vector<CombinationId> partners(CombinationId combination, Concept which) const;
 
-  /// The appearance seed of a picture. It leaves the remainder `sample` when divided by 20, and its
-  /// two highest bits are 0, as in no task. @pre sample in [0, kNumColorSamples)
+  /// The appearance seed of a picture. Divided by 20 it leaves its colour sample: `sample` in the
+  /// train split; in the others (f + sample) modulo 20 with an f that a hash of the combination
+  /// decides, so that one sample a combination already has all colours. Its two highest bits are 0,
+  /// as in no task. @pre sample in [0, kNumColorSamples)
   std::uint64_t appearance(CombinationId combination, int sample) const;
 
  private:
