@@ -89,9 +89,9 @@ BeamPlanner::BeamPlanner(const BeamPlannerOptions& options) : options_(options) 
 }
 
 PlanResult BeamPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const StateSteps successors =
-      likelySuccessors(graph, options_.legality_threshold, options_.step_discount);
   return planByPaths(graph, query, options_.legality_threshold, [&](const PathTask& task) {
+    const StateSteps successors =
+        likelySuccessors(graph, options_.legality_threshold, options_.step_discount, &task.guard);
     std::vector<StatePath> paths = beamPaths(task, successors, options_.width);
     std::stable_sort(paths.begin(), paths.end(),
                      [](const StatePath& a, const StatePath& b) { return a.cost < b.cost; });

@@ -203,11 +203,11 @@ PlanResult answer(const SymbolGraph& graph, const PlanQuery& query,
   if (guard.stopped()) {
     result.reason = guard.reason();
   } else {
-    explainInfeasible(graph, task.threshold, horizon, guard, result);
+    explainInfeasible(graph, query, task.threshold, guard, result);
     if (mismatch.empty() && query.count_rejections) {
       // The proof looked at all that the start leads to.
       for (const StateId state : reachableStates(graph, graph.mostProbableStart(), task.threshold,
-                                                 horizon, graph.numStates())) {
+                                                 horizon, graph.numStates(), &guard)) {
         guard.note(state);
       }
     }

@@ -15,9 +15,9 @@ BestFirstPlanner::BestFirstPlanner(const BestFirstPlannerOptions& options) : opt
 }
 
 PlanResult BestFirstPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const StateSteps successors =
-      rankedSuccessors(graph, options_.legality_threshold, options_.step_discount);
   return planByPaths(graph, query, options_.legality_threshold, [&](const PathTask& task) {
+    const StateSteps successors =
+        rankedSuccessors(graph, options_.legality_threshold, options_.step_discount, &task.guard);
     const auto paths = [&](const auto& heuristic) {
       return bestPaths(graph.numStates(), task.start, task.goal, successors, heuristic,
                        {query.top, query.limits.horizon, options_.greedy}, task.guard,

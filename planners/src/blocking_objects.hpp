@@ -1,33 +1,57 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "conceptplan/domain/model/symbolic_model.hpp"
 #include "conceptplan/planners/search_guard.hpp"
-#include "conceptplan/planners/state_validity.hpp"
 
 namespace conceptplan {
 
-/// Some of a target's other objects, by number among them, as bits.
-using ObstacleSet = std::uint32_t;
+/// Objects of a scene, by rising index.
+using SceneObjects = std::vector<std::size_t>;
 
-/// Objects of higher numbers are in no set: they are never taken away.
-inline constexpr std::size_t kMostObjects = 20;
+SceneObjects joined(const SceneObjects& objects, std::span<const std::size_t> more);
+/// The objects that are no part of the other set.
+SceneObjects without(const SceneObjects& objects, const SceneObjects& others);
+/// All of a scene of so many but these.
+SceneObjects allBut(const SceneObjects& objects, std::size_t count);
 
-/// The object that a verdict names; none if it is no collision.
-ObstacleSet collidedObject(const Verdict& verdict);
+/// The objects that may be taken out of a scene.
+struct RemovableObjects {
+  SceneObjects met;      ///< can be met; nothing else depends on them
+  SceneObjects watched;  ///< on these it may also depend what actions do, or whether they are legal
+};
+/// @param targets of the scene, which stay
+RemovableObjects removableObjects(const SymbolicModel& model, std::span<const SymbolBelief> scene,
+                                  const SceneObjects& targets);
 
-/// Whether a state can be once the objects are taken away. One that meets several objects counts
-/// for the one that its verdict names.
-inline bool isPassable(const Verdict& verdict, ObstacleSet removed) {
-  return verdict.valid() || (collidedObject(verdict) & removed) != 0;
-}
+/// What becomes of a problem without some objects.
+struct Removal {
+  std::optional<std::size_t> way;  ///< to the goal, in actions; nothing if there is none
+  SceneObjects in_the_way;         ///< without a way: some that any larger removal with one takes
+};
+/// Nothing where a limit struck, or where it grew too long.
+using RemovalTrial = std::function<std::optional<Removal>(const SceneObjects& removed)>;
 
-/// The fewest of the objects without which there is a way, of these the first by number; none if
-/// not all are enough, if finding them grew too long, or if a limit strikes.
-/// @param num_states that `leads_without` may look at in one call
-ObstacleSet fewestBlocking(ObstacleSet all, std::size_t num_states,
-                           const std::function<bool(ObstacleSet removed)>& leads_without,
-                           SearchGuard& guard);
+struct BlockingObjects {
+  SceneObjects objects;     ///< empty if objects are not the reason, or not found to be
+  std::size_t way = 0;      ///< that there is without them, in actions
+  bool is_unknown = false;  ///< since a trial came to no end
+};
+
+/// The fewest objects without which there is a way, of these the first by number. Sets are tried by
+/// rising size, and one without a way grows by each object that is in the way then, so that none
+/// with a way is passed over. Unknown after 10,000 sets.
+/// Source: the hitting-set tree of R. Reiter, 1987, doi:10.1016/0004-3702(87)90062-2.
+BlockingObjects fewestBlocking(const RemovableObjects& all, const RemovalTrial& trial);
+
+/// What is to be told of them but their names: that they are not known, or that the way without
+/// them is beyond the horizon. Begins with "; ", empty if there is nothing to tell.
+std::string remark(const BlockingObjects& blocking, std::size_t horizon, const SearchGuard& guard);
 
 }  // namespace conceptplan

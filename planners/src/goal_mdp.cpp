@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "path_rank.hpp"
@@ -11,8 +12,20 @@
 namespace conceptplan {
 namespace {
 
+constexpr std::size_t kMostExpansionsForPlans = 1000;
+
 /// In [0, 1).
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+/// What is left to read plans off values that were known when a limit struck.
+SearchLimits limitsForPlans(const PathTask& task) {
+  SearchLimits limits = task.query.limits;
+  limits.timeout_s = std::numeric_limits<double>::infinity();
+  limits.cancel = nullptr;
+  limits.max_expansions =
+      std::min(limits.max_expansions, task.statistics.expanded + expansionsForPlans(task.query));
+  return limits;
+}
 
 /// V(state) by the action values; 1 at the goal.
 double valueOfState(StateId state, StateId goal, const PolicyValues& values) {
@@ -110,6 +123,12 @@ std::optional<StateId> GoalMdp::draw(StateId state, Action action, std::mt19937_
   return outcomes[drawn].state;
 }
 
+std::size_t expansionsForPlans(const PlanQuery& query) {
+  const auto atMost = [](std::size_t count) { return std::min(count, kMostExpansionsForPlans); };
+  return std::min(query.limits.max_expansions / 10,
+                  atMost(atMost(query.top) * atMost(query.limits.horizon)));
+}
+
 PolicyValues policyOf(const GoalMdp& mdp, std::vector<double> values) {
   return {[&mdp, values](StateId state, Action action) {
             return mdp.actionValue(state, action, values);
@@ -121,31 +140,35 @@ PlanResult planByPolicy(const SymbolGraph& graph, const PlanQuery& query, double
                         double step_discount, const MdpSolver& solver) {
   return planByPaths(
       graph, query, legality_threshold, [&](const PathTask& task) -> std::vector<StatePath> {
-        const auto distances = distancesToGoal(graph.numStates(), task.start, task.goal,
-                                               anyOutcomeSuccessors(graph, legality_threshold),
-                                               task.guard, task.statistics);
+        const auto distances =
+            distancesToGoal(graph.numStates(), task.start, task.goal,
+                            anyOutcomeSuccessors(graph, legality_threshold, &task.guard),
+                            task.guard, task.statistics);
         if (!distances) return {};
         const PathCost nearest = (*distances)[index(task.start)];
         if (nearest == kOutOfReach ||
-            nearest / kNat > static_cast<PathCost>(query.limits.horizon)) {
+            static_cast<std::size_t>(nearest / kNat) > query.limits.horizon) {
           return {};
         }
         const GoalMdp mdp(graph, task.goal, legality_threshold, step_discount, *distances);
         const std::optional<PolicyValues> values = solver(mdp, task);
         if (!values) return {};
+        SearchGuard after_limit(limitsForPlans(task), task.guard.expanded());
         std::vector<StatePath> paths = bestPaths(
             graph.numStates(), task.start, task.goal,
             FunctionSteps(policySuccessors(graph, task.goal, *values)),
             [&](StateId state) {
               return (*distances)[index(state)] == kOutOfReach ? kOutOfReach : PathRank{0};
             },
-            {query.top, query.limits.horizon}, task.guard, task.statistics);
+            {query.top, query.limits.horizon}, task.guard.stopped() ? after_limit : task.guard,
+            task.statistics);
         if (paths.empty() && !task.guard.stopped()) {
           task.guard.stop(PlanStatus::kLimit,
                           "the goal can be reached, but not along the outcomes on which the policy "
                           "rests within " +
                               std::to_string(query.limits.horizon) + " actions");
         }
+        if (paths.empty()) return {};
         const PathCost least = toPathCost(-std::log(valueOfState(task.start, task.goal, *values)));
         for (StatePath& path : paths) path.cost += least;
         return paths;

@@ -65,8 +65,13 @@ struct PolicyValues {
   std::vector<double> of_state;                      ///< V, to tell outcomes apart
 };
 
-/// Nothing if a limit struck.
+/// Nothing if a limit struck that left no values. A solver that has some leaves
+/// `expansionsForPlans`.
 using MdpSolver = std::function<std::optional<PolicyValues>(const GoalMdp&, const PathTask&)>;
+
+/// Expansions with which plans are read off the values if a limit has struck before: a tenth of
+/// all, at most 1,000, or less where the plans wanted have fewer actions altogether.
+std::size_t expansionsForPlans(const PlanQuery& query);
 
 /// The policy as the solvers by whole vectors have it.
 PolicyValues policyOf(const GoalMdp& mdp, std::vector<double> values);

@@ -28,7 +28,7 @@ class IteratedDeepening {
       least_cut_ = kOutOfReach;
       limit_ = bound;
       for (std::vector<Searched>& records : searched_) records.clear();
-      explore(task_.start, 0);
+      explore();
       if (best_ || task_.guard.stopped() || least_cut_ == kOutOfReach) break;
       bound = std::max(least_cut_, bound + rise);
     }
@@ -47,35 +47,65 @@ class IteratedDeepening {
     Successor step;
   };
 
-  void explore(StateId state, PathCost cost) {
+  /// A state on the path that is searched, with what is left to try from it.
+  struct Level {
+    PathCost cost;  ///< of the path to it
+    std::vector<Branch> branches;
+    std::size_t tried = 0;
+  };
+
+  /// Depth first, on a stack of its own: a path may be as long as there are states.
+  void explore() {
+    std::vector<Level> levels;
+    if (auto branches = enter(task_.start, 0)) levels.push_back({0, std::move(*branches)});
+    while (!levels.empty() && !task_.guard.stopped()) {
+      Level& last = levels.back();
+      if (last.tried == last.branches.size()) {
+        levels.pop_back();
+        if (!levels.empty()) leave();
+        continue;
+      }
+      const Successor step = last.branches[last.tried++].step;
+      const PathCost cost = last.cost + step.cost;
+      path_.actions.push_back(step.action);
+      path_.states.push_back(step.state);
+      if (auto branches = enter(step.state, cost)) {
+        levels.push_back({cost, std::move(*branches)});
+      } else {
+        leave();
+      }
+    }
+  }
+
+  void leave() {
+    path_.actions.pop_back();
+    path_.states.pop_back();
+  }
+
+  /// The ways out of the state to which the path leads; nothing where it need not be gone on with.
+  std::optional<std::vector<Branch>> enter(StateId state, PathCost cost) {
     const PathCost estimate = cost + heuristic_(state);
     if (estimate > limit_) {
       least_cut_ = std::min(least_cut_, estimate);
-      return;
+      return std::nullopt;
     }
     const Searched now{limit_ - cost, task_.query.limits.horizon - path_.actions.size()};
     std::vector<Searched>& records = searched_[index(state)];
     if (std::any_of(records.begin(), records.end(), [&](const Searched& record) {
           return record.budget >= now.budget && record.actions >= now.actions;
         })) {
-      return;
+      return std::nullopt;
     }
-    if (!task_.guard.expand(task_.statistics, state)) return;
+    if (!task_.guard.expand(task_.statistics, state)) return std::nullopt;
     records.push_back(now);
     if (state == task_.goal) {
       best_ = path_;
       best_->cost = cost;
       limit_ = cost - 1;  // what is left to find is better
-      return;
+      return std::nullopt;
     }
-    if (now.actions == 0) return;
-    for (const Branch& branch : branches(state)) {
-      path_.actions.push_back(branch.step.action);
-      path_.states.push_back(branch.step.state);
-      explore(branch.step.state, cost + branch.step.cost);
-      path_.actions.pop_back();
-      path_.states.pop_back();
-    }
+    if (now.actions == 0) return std::nullopt;
+    return branches(state);
   }
 
   /// The ways out that may lead to the goal, the most promising first.
@@ -111,10 +141,10 @@ IdaStarPlanner::IdaStarPlanner(const IdaStarPlannerOptions& options) : options_(
 }
 
 PlanResult IdaStarPlanner::search(const SymbolGraph& graph, const PlanQuery& query) const {
-  const StateSteps successors =
-      likelySuccessors(graph, options_.legality_threshold, options_.step_discount);
   return planByPaths(graph, query, options_.legality_threshold,
                      [&](const PathTask& task) -> std::vector<StatePath> {
+                       const StateSteps successors = likelySuccessors(
+                           graph, options_.legality_threshold, options_.step_discount, &task.guard);
                        std::optional<StatePath> best = IteratedDeepening(task, successors).run();
                        if (!best) return {};
                        return {std::move(*best)};

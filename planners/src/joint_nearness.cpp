@@ -1,4 +1,4 @@
-// What a joint space tells of a failure: what was ruled out, what blocks the way, what is nearest.
+// What a joint space tells of a failure: what was ruled out, what is in the way, what is nearest.
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -51,20 +51,20 @@ void JointSpace::measureNearness(SearchGuard& guard) {
   }
 }
 
-JointSpace::Nearness JointSpace::nearness(std::size_t target, TargetState state) const {
+JointNearness JointSpace::nearness(std::size_t target, TargetState state) const {
   const PathRank rank = free_to_goal_[target][state];
   const bool leads_there = rank != kOutOfReach;
-  Nearness nearness{leads_there ? 0u : 1u, leads_there ? rank : 0, 0};
+  JointNearness nearness{leads_there ? 0u : 1u, leads_there ? rank : 0, 0};
   const Symbols here = targets_[target].symbols(state);
   const Symbols goal = targets_[target].symbols(part(goal_, target));
   for (std::size_t k = 0; k < kNumConcepts; ++k) nearness.different += here[k] != goal[k] ? 1 : 0;
   return nearness;
 }
 
-JointSpace::Nearness JointSpace::nearness(JointState state) const {
-  Nearness sum;
+JointNearness JointSpace::nearness(JointState state) const {
+  JointNearness sum;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const Nearness of_target = nearness(i, part(state, i));
+    const JointNearness of_target = nearness(i, part(state, i));
     sum.out_of_reach += of_target.out_of_reach;
     sum.rank = std::min(sum.rank + of_target.rank, kFarthest);
     sum.different += of_target.different;
@@ -75,7 +75,7 @@ JointSpace::Nearness JointSpace::nearness(JointState state) const {
 JointState JointSpace::nearestAlone(SearchGuard& guard) const {
   JointState nearest = 0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const std::vector<std::size_t> steps = stepsAlone(i, 0, guard);
+    const std::vector<std::size_t> steps = stepsAlone(i, guard);
     TargetState best = part(start_, i);
     std::tuple least{nearness(i, best), std::size_t{0}};
     for (TargetState state = 0; state < steps.size() && guard.goesOn(); ++state) {
@@ -95,16 +95,13 @@ void JointSpace::aimAt(JointState goal, SearchGuard& guard) {
   setRanksToGoal(guard);
 }
 
-std::vector<std::size_t> JointSpace::stepsAlone(std::size_t target, ObstacleSet removed,
-                                                SearchGuard& guard) const {
+std::vector<std::size_t> JointSpace::stepsAlone(std::size_t target, SearchGuard& guard) const {
   std::vector<std::size_t> steps(targets_[target].numStates(), kNotReached);
   std::vector<TargetState> open{part(start_, target)};
   steps[open.front()] = 0;
   for (std::size_t i = 0; i < open.size() && guard.goesOn(); ++i) {
     for (const TargetStep& step : targets_[target].possibleSteps(open[i])) {
-      if (steps[step.next] != kNotReached) continue;
-      const Verdict& verdict = verdictAt(target, step.next);
-      if (verdict.cause != Invalidity::kCheckFailed && !isPassable(verdict, removed)) continue;
+      if (steps[step.next] != kNotReached || isRuledOut(verdictAt(target, step.next))) continue;
       steps[step.next] = steps[open[i]] + 1;
       open.push_back(step.next);
     }
@@ -112,26 +109,19 @@ std::vector<std::size_t> JointSpace::stepsAlone(std::size_t target, ObstacleSet 
   return steps;
 }
 
-std::vector<std::size_t> JointSpace::blocking(SearchGuard& guard) const {
-  if (!objects_contradict_) return {};
-  ObstacleSet collided = 0;
-  std::size_t num_states = 0;
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
-    for (const Verdict& verdict : standing_[i].verdicts) collided |= collidedObject(verdict);
-    num_states += targets_[i].numStates();
-  }
-  const auto leads_without = [&](ObstacleSet removed) {
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      if (stepsAlone(i, removed, guard)[part(goal_, i)] == kNotReached) return false;
+SceneObjects JointSpace::inTheWay(SearchGuard& guard) const {
+  std::size_t shut_in = 0;
+  while (to_goal_[shut_in][part(start_, shut_in)] != kOutOfReach) ++shut_in;
+  const std::vector<std::size_t> steps = stepsAlone(shut_in, guard);
+  SceneObjects met;
+  for (TargetState state = 0; state < steps.size() && guard.goesOn(); ++state) {
+    if (steps[state] == kNotReached) continue;
+    for (const TargetStep& step : targets_[shut_in].possibleSteps(state)) {
+      const Verdict& verdict = verdictAt(shut_in, step.next);
+      if (verdict.cause == Invalidity::kCollision) met.push_back(still_[verdict.object]);
     }
-    return true;
-  };
-  const ObstacleSet fewest = fewestBlocking(collided, num_states, leads_without, guard);
-  std::vector<std::size_t> objects;
-  for (std::size_t i = 0; i < still_.size() && i < kMostObjects; ++i) {
-    if ((fewest >> i & 1) != 0) objects.push_back(still_[i]);
   }
-  return objects;
+  return joined({}, met);
 }
 
 }  // namespace conceptplan

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "belief_check.hpp"
+#include "joint_blocking.hpp"
 #include "joint_search.hpp"
 #include "option_range.hpp"
 #include "path_rank.hpp"
@@ -112,20 +113,22 @@ std::vector<JointState> statesAround(JointSpace& space, std::size_t most) {
   return states;
 }
 
-RejectionTally tallyOf(JointSpace& space, const std::vector<JointState>& expanded) {
+/// Nothing if the time is up, or the search cancelled, before all are counted.
+std::optional<RejectionTally> tallyOf(JointSpace& space, const std::vector<JointState>& expanded,
+                                      const SearchGuard& guard) {
   RejectionCounter counter;
   for (const JointState state : expanded) {
+    if (!guard.hasTime()) return std::nullopt;
     space.forEachRejection(state, [&](const Rejection& rejection) { counter.add(rejection); });
   }
-  return {expanded.size(), counter.counts()};
+  return RejectionTally{expanded.size(), counter.counts()};
 }
 
-/// Tells why there is no plan, which objects are to blame and how near the targets get together.
+/// Tells why there is no plan, if no contradiction is the reason, and how near the targets get
+/// together.
 /// @param expanded all that the start leads to, where there is no contradiction
 void explainInfeasible(JointSpace& space, const JointSearchOptions& search,
                        std::vector<JointState> expanded, SearchGuard& guard, PlanResult& result) {
-  result.reason = space.contradiction();
-  result.blocking = space.blocking(guard);
   space.measureNearness(guard);
   std::vector<JointPath> paths;
   if (result.reason.empty()) {
@@ -173,9 +176,10 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
   }
   PlanResult result;
   SearchGuard guard(query.limits);
-  std::optional<JointSpace> made =
-      JointSpace::make(model, problem, validity, rules, guard, result.statistics);
+  SearchStatistics making;
+  std::optional<JointSpace> made = JointSpace::make(model, problem, validity, rules, guard, making);
   if (!made) {
+    result.statistics = making;
     result.status = *guard.stopped();
     result.reason = guard.reason();
     return result;
@@ -197,7 +201,7 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
     if (!more.empty()) paths = std::move(more);
   }
   if (query.count_rejections && !expanded.empty()) {
-    result.ruled_out = tallyOf(space, expanded);
+    result.ruled_out = tallyOf(space, expanded, guard);
   }
   if (!paths.empty()) {
     const double certainty =
@@ -216,6 +220,13 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
                     " validity checks failed of states over which one may lead";
   } else {
     result.status = PlanStatus::kInfeasible;
+    result.reason = space.contradiction();
+    if (space.isShutIn()) {
+      const BlockingObjects blocking =
+          blockingObjects(model, problem, validity, rules, search, guard, result.statistics);
+      result.blocking = blocking.objects;
+      result.reason += remark(blocking, search.horizon, guard);
+    }
     explainInfeasible(space, search, expanded, guard, result);
   }
   const std::vector<JointState> told =
@@ -224,7 +235,7 @@ PlanResult JointPlanner::solve(const SymbolicModel& model, const JointProblem& p
     space.forEachRejection(
         state, [&](const Rejection& rejection) { result.rejections.push_back(rejection); });
   }
-  result.statistics.validity_checks = space.validityChecks();
+  result.statistics.validity_checks += space.validityChecks();
   return result;
 }
 

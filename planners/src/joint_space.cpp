@@ -15,11 +15,6 @@ constexpr std::size_t kCheckedAtOnce = 16;
 
 constexpr JointState kMostJointStates = std::numeric_limits<std::int64_t>::max();
 
-/// Whether a check has shown that it cannot be.
-bool isRuledOut(const Verdict& verdict) {
-  return !verdict.valid() && verdict.cause != Invalidity::kCheckFailed;
-}
-
 bool isNotRuledOut(const Verdict& verdict) { return !isRuledOut(verdict); }
 
 std::string nameOf(const TargetGoal& target) {
@@ -151,7 +146,7 @@ std::string JointSpace::findContradiction() {
           " rule each other out");
     }
   }
-  objects_contradict_ = sentences > 0 && shut_in == sentences;
+  is_shut_in_ = sentences > 0 && shut_in == sentences;
   return reason;
 }
 

@@ -11,20 +11,16 @@
 #include "conceptplan/planners/plan_result.hpp"
 #include "conceptplan/planners/search_guard.hpp"
 #include "conceptplan/planners/state_validity.hpp"
+#include "joint_state.hpp"
 #include "joint_target.hpp"
 #include "path_rank.hpp"
 
 namespace conceptplan {
 
-/// The states of all targets, packed to one number.
-using JointState = std::uint64_t;
-
-/// One way out of a joint state.
-struct JointSuccessor {
-  std::size_t target = 0;  ///< index into the problem's targets
-  TargetStep step;
-  JointState state = 0;
-};
+/// Whether a check has shown that it cannot be.
+inline bool isRuledOut(const Verdict& verdict) {
+  return !verdict.valid() && verdict.cause != Invalidity::kCheckFailed;
+}
 
 /// The product of the targets' states, never built: steps are worked out state by state, and what
 /// may be asked again is kept. Objects have their most probable symbols, actions their most
@@ -65,21 +61,16 @@ class JointSpace {
 
   /// Why there is no way to the goal, as far as it shows without a search; empty if it does not.
   std::string contradiction() const { return contradiction_; }
+  /// Whether it is that some targets cannot get to their goals wherever the others are, and no
+  /// more.
+  bool isShutIn() const { return is_shut_in_; }
 
   /// Calls `visit` with each step of each target that a check rules out in the state, by target,
   /// then by action. The object of a collision is another target if nothing else is met.
   void forEachRejection(JointState state, const std::function<void(const Rejection&)>& visit);
 
-  /// How far a state is from the goal; less is nearer.
-  struct Nearness {
-    std::size_t out_of_reach = 0;  ///< targets of which no steps lead to the goal, whatever is away
-    PathRank rank = 0;             ///< least, of the others, each by itself with nothing in its way
-    std::size_t different = 0;     ///< symbols
-
-    auto operator<=>(const Nearness&) const = default;
-  };
   /// @pre `measureNearness` has come to its end.
-  Nearness nearness(JointState state) const;
+  JointNearness nearness(JointState state) const;
   /// Once the guard has been stopped it has not come to its end.
   void measureNearness(SearchGuard& guard);
 
@@ -91,9 +82,10 @@ class JointSpace {
   /// Makes another state the goal. @param guard once it has been stopped, the space has no use
   void aimAt(JointState goal, SearchGuard& guard);
 
-  /// The fewest objects that are no targets, by index, without which each target by itself could
-  /// get to its goal. Empty unless objects alone are the contradiction, and as `fewestBlocking`.
-  std::vector<std::size_t> blocking(SearchGuard& guard) const;
+  /// The objects that are no targets and that the first of those targets meets that cannot get to
+  /// their goals by themselves: it gets no farther while all of them are there.
+  /// @pre `isShutIn` @param guard once it has been stopped, they have no use
+  SceneObjects inTheWay(SearchGuard& guard) const;
 
  private:
   struct Standing {
@@ -116,12 +108,10 @@ class JointSpace {
                                     const std::function<bool(const Verdict&)>& passable,
                                     SearchGuard& guard) const;
   void setRanksToGoal(SearchGuard& guard);
-  Nearness nearness(std::size_t target, TargetState state) const;
+  JointNearness nearness(std::size_t target, TargetState state) const;
   /// Fewest steps from the start of a target to each of its states with the other targets out of
-  /// its way, and some of the objects that are no targets taken away; kNotReached where there are
-  /// none.
-  std::vector<std::size_t> stepsAlone(std::size_t target, ObstacleSet removed,
-                                      SearchGuard& guard) const;
+  /// its way; kNotReached where there are none.
+  std::vector<std::size_t> stepsAlone(std::size_t target, SearchGuard& guard) const;
 
   std::string findContradiction();
   const Verdict& verdictAt(std::size_t target, TargetState state) const {
@@ -146,7 +136,7 @@ class JointSpace {
   JointState start_ = 0;
   JointState goal_ = 0;
   std::string contradiction_;
-  bool objects_contradict_ = false;  // and nothing else does
+  bool is_shut_in_ = false;
   std::size_t validity_checks_ = 0;
   std::size_t failed_checks_ = 0;
   std::vector<std::unordered_map<std::uint64_t, Verdict>> together_;  // [pairs of targets]

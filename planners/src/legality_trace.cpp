@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "blocking_objects.hpp"
 #include "conceptplan/domain/listed.hpp"
+#include "graph_blocking.hpp"
 #include "graph_tables.hpp"
 #include "projection_heuristic.hpp"
 #include "rejection_counter.hpp"
@@ -16,6 +16,7 @@ namespace conceptplan {
 namespace {
 
 constexpr std::size_t kNotReached = std::numeric_limits<std::size_t>::max();
+
 /// Scene index of the i-th object that is not the target.
 std::size_t sceneIndex(const SymbolGraph& graph, std::size_t other) {
   return other < graph.problem().initial.target ? other : other + 1;
@@ -52,24 +53,6 @@ std::vector<std::size_t> actionsFrom(const SymbolGraph& graph, StateId from,
   return actions;
 }
 
-/// The fewest objects without which the start leads to the goal; empty if not found.
-ObstacleSet blockingObjects(const SymbolGraph& graph, StateId start, StateId goal,
-                            double legality_threshold, SearchGuard& guard) {
-  ObstacleSet collided = 0;
-  for (const Verdict& verdict : graph.tables().readings[graph.readingOf(start)].verdicts) {
-    collided |= collidedObject(verdict);
-  }
-  const auto leads_without = [&](ObstacleSet removed) {
-    const auto passable = [removed](const Verdict& verdict) {
-      return isPassable(verdict, removed);
-    };
-    return passable(graph.verdict(goal)) &&
-           actionsFrom(graph, start, legality_threshold, kNotReached, passable,
-                       guard)[index(goal)] != kNotReached;
-  };
-  return fewestBlocking(collided, graph.numStates(), leads_without, guard);
-}
-
 /// Of the states reached within the horizon, the one from which the concepts, each by itself, need
 /// the fewest actions to the goal; then the one that shares most symbols with it. Nothing if a
 /// limit strikes.
@@ -77,8 +60,8 @@ std::optional<StateId> nearestReached(const SymbolGraph& graph, StateId goal,
                                       double legality_threshold,
                                       const std::vector<std::size_t>& actions, std::size_t horizon,
                                       SearchGuard& guard) {
-  const ProjectionHeuristic distance(graph, goal, anyOutcomeSuccessors(graph, legality_threshold),
-                                     &guard);
+  const ProjectionHeuristic distance(
+      graph, goal, anyOutcomeSuccessors(graph, legality_threshold, &guard), &guard);
   const Symbols wanted = graph.symbols(goal);
   StateId nearest{};
   std::tuple<PathCost, int, std::size_t> least{kOutOfReach, std::numeric_limits<int>::max(), 0};
@@ -152,6 +135,7 @@ PlanResult withTally(const SymbolGraph& graph, const PlanQuery& query, double le
   RejectionCounter counter;
   for (std::size_t i = 0; i < expanded.size(); ++i) {
     if (!expanded[i]) continue;
+    if (!guard.hasTime()) return result;
     ++tally.states;
     forEachRejection(graph, static_cast<StateId>(i), legality_threshold,
                      [&](const Rejection& rejection) { counter.add(rejection); });
@@ -163,7 +147,7 @@ PlanResult withTally(const SymbolGraph& graph, const PlanQuery& query, double le
 
 std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
                                      double legality_threshold, std::size_t horizon,
-                                     std::size_t most) {
+                                     std::size_t most, SearchGuard* guard) {
   std::vector<bool> seen(graph.numStates(), false);
   std::vector<StateId> states{from};
   seen[index(from)] = true;
@@ -171,6 +155,7 @@ std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
   for (std::size_t depth = 0; depth < horizon && layer_begin < states.size(); ++depth) {
     const std::size_t layer_end = states.size();
     for (; layer_begin < layer_end; ++layer_begin) {
+      if (guard != nullptr && !guard->goesOn()) return states;
       const StateActions at(graph, states[layer_begin]);
       for (const Action action : kActions) {
         if (at.legality(action) <= legality_threshold) continue;
@@ -212,8 +197,9 @@ void giveUpIfUnchecked(const SymbolGraph& graph, StateId start, StateId goal,
                                      std::to_string(unchecked) + " states over which one may lead");
 }
 
-void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,
+void explainInfeasible(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
                        SearchGuard& guard, PlanResult& result) {
+  const std::size_t horizon = query.limits.horizon;
   const StateId start = graph.mostProbableStart();
   const StateId goal = graph.mostProbableGoal();
   const std::string mismatch = frozenMismatch(graph);
@@ -228,17 +214,19 @@ void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std:
   const auto nearest = nearestReached(graph, goal, legality_threshold, actions, horizon, guard);
   if (!nearest) return;
   result.nearest = {graph.symbols(*nearest)};
-  if (!mismatch.empty()) return;
-  if (actions[index(goal)] != kNotReached) {
+  if (mismatch.empty() && actions[index(goal)] != kNotReached) {
     result.reason += "; it takes at least " + std::to_string(actions[index(goal)]);
     return;
   }
-  result.reason += "; what is in reach differs from the goal at least in " +
-                   differences(result.nearest.front(), graph.symbols(goal));
-  const ObstacleSet blocking = blockingObjects(graph, start, goal, legality_threshold, guard);
-  for (std::size_t other = 0; other < kMostObjects; ++other) {
-    if ((blocking >> other & 1) != 0) result.blocking.push_back(sceneIndex(graph, other));
+  if (mismatch.empty()) {
+    result.reason += "; what is in reach differs from the goal at least in " +
+                     differences(result.nearest.front(), graph.symbols(goal));
   }
+  if (query.source == nullptr) return;
+  const BlockingObjects blocking =
+      blockingObjects(graph, *query.source, legality_threshold, guard, result.statistics);
+  result.blocking = blocking.objects;
+  result.reason += remark(blocking, horizon, guard);
 }
 
 std::string outOfReach(std::size_t horizon) {

@@ -17,15 +17,17 @@ std::vector<Rejection> traceRejections(const SymbolGraph& graph, std::span<const
                                        double legality_threshold);
 
 /// The answer under a guard of the query's limits, with what was ruled out in all states that the
-/// guard was told of as expanded, if the query asks for it.
+/// guard was told of as expanded, if the query asks for it and the time is not up before they are
+/// counted, nor the search cancelled.
 PlanResult withTally(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
                      const std::function<PlanResult(SearchGuard&)>& answer);
 
 /// The states that legal actions and valid outcomes lead to from a state, itself first, by number
 /// of actions; at most `most` of them and of at most `horizon` actions.
+/// @param guard once it has been stopped, there are fewer; null: nothing stops it
 std::vector<StateId> reachableStates(const SymbolGraph& graph, StateId from,
                                      double legality_threshold, std::size_t horizon,
-                                     std::size_t most);
+                                     std::size_t most, SearchGuard* guard = nullptr);
 
 /// Whether legal actions and valid outcomes lead from a state to the goal within the horizon; false
 /// if a limit strikes before it shows.
@@ -46,14 +48,13 @@ std::string outOfReach(std::size_t horizon);
 
 /// Tells why the goal is out of reach and how near the target gets to it, by all outcomes of all
 /// legal actions from the most probable start: fills `reason`, `blocking` and `nearest` of the
-/// result.
+/// result, and adds to the statistics the validity checks that it takes.
 ///
-/// The blocking objects are the fewest without which the goal would be in reach, however many
-/// actions that took; none are named if the goal would be out of reach without any object, or if
-/// the search for them grew too long. A state that meets several objects counts for the one that
-/// its verdict names. Where a `frozenMismatch` is the reason, none are, and what is nearest is so
-/// by the concepts that can change. Once a limit strikes, the reason alone is told.
-void explainInfeasible(const SymbolGraph& graph, double legality_threshold, std::size_t horizon,
+/// The blocking objects are `blockingObjects`, if the query has the graph's source; the reason
+/// tells if they could not be found, or if the way without them is beyond the horizon. Where a
+/// `frozenMismatch` is the reason, what is nearest is so by the concepts that can change. Once a
+/// limit strikes, the reason alone is told, and what was found before.
+void explainInfeasible(const SymbolGraph& graph, const PlanQuery& query, double legality_threshold,
                        SearchGuard& guard, PlanResult& result);
 
 }  // namespace conceptplan

@@ -36,11 +36,12 @@ class Simulation {
         guard_(task.guard),
         random_(stableHash({task.query.seed})) {}
 
-  /// One run from the start: through the tree, one new node, then behind it.
+  /// One run from the start: through the tree, one new node, then behind it. Without effect if a
+  /// limit strikes.
   void run() {
     std::vector<std::pair<StateId, Action>> steps;
     std::optional<StateId> state = start_;
-    while (state && *state != mdp_.goal() && steps.size() < horizon_) {
+    while (state && *state != mdp_.goal() && steps.size() < horizon_ && guard_.goesOn()) {
       const auto [node, is_new] = tree_.try_emplace(*state);
       if (is_new) {
         guard_.note(*state);
@@ -52,6 +53,7 @@ class Simulation {
       state = mdp_.draw(*state, *action, random_);
     }
     double value = state ? returnFrom(*state, steps.size()) : 0;
+    if (guard_.stopped()) return;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
       value *= mdp_.discount();
       Arm& arm = tree_[step->first][index(step->second)];
@@ -86,7 +88,7 @@ class Simulation {
   double returnFrom(StateId from, std::size_t steps) {
     std::optional<StateId> state = from;
     double value = 1;
-    for (; state && *state != mdp_.goal(); ++steps) {
+    for (; state && *state != mdp_.goal() && guard_.goesOn(); ++steps) {
       const GoalMdp::Choice choice = mdp_.best(*state, mdp_.optimisticValues());
       if (steps == horizon_ || choice.value == 0) return 0;
       state = mdp_.draw(*state, choice.action, random_);
@@ -135,8 +137,10 @@ PlanResult MctsPlanner::search(const SymbolGraph& graph, const PlanQuery& query)
   return planByPolicy(graph, query, options_.legality_threshold, options_.step_discount,
                       [&](const GoalMdp& mdp, const PathTask& task) -> std::optional<PolicyValues> {
                         Simulation simulation(mdp, task, options_.exploration);
+                        const std::size_t left = expansionsForPlans(query) + 1;
                         for (std::size_t i = 0; i < options_.iterations; ++i) {
-                          if (!task.guard.expand(task.statistics)) return std::nullopt;
+                          if (!task.guard.leaves(left, task.statistics)) break;
+                          if (!task.guard.expand(task.statistics)) break;
                           simulation.run();
                         }
                         return meanValues(mdp, simulation.takeTree());

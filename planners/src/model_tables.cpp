@@ -34,6 +34,18 @@ bool isAboutOthers(const ContextFeature& feature) {
   return feature.kind != ContextKind::kOwnSymbol;
 }
 
+/// Whether any of all that the legality of the action and its effects depend on is wanted.
+template <typename Predicate>
+bool anyFeature(const SymbolicModel& model, Action action, Predicate is_wanted) {
+  const std::vector<LegalityFactor>& factors = model.legality.factors(action);
+  return std::any_of(factors.begin(), factors.end(),
+                     [&](const LegalityFactor& factor) { return is_wanted(factor.context); }) ||
+         std::any_of(kConcepts.begin(), kConcepts.end(), [&](Concept which) {
+           const auto& context = model.transitions.effect(action, which).context;
+           return std::any_of(context.begin(), context.end(), is_wanted);
+         });
+}
+
 }  // namespace
 
 ActionTables::ActionTables(const SymbolicModel& model, Action action, const Surroundings& among,
@@ -74,13 +86,20 @@ bool ActionTables::changes(Concept which, double tolerance) const {
 }
 
 bool dependsOnOthers(const SymbolicModel& model, Action action) {
-  const std::vector<LegalityFactor>& factors = model.legality.factors(action);
-  return std::any_of(factors.begin(), factors.end(),
-                     [](const LegalityFactor& factor) { return isAboutOthers(factor.context); }) ||
-         std::any_of(kConcepts.begin(), kConcepts.end(), [&](Concept which) {
-           const auto& context = model.transitions.effect(action, which).context;
-           return std::any_of(context.begin(), context.end(), isAboutOthers);
-         });
+  return anyFeature(model, action, isAboutOthers);
+}
+
+std::vector<bool> watchedTypes(const SymbolicModel& model) {
+  const std::size_t count = model.cardinality()[index(Concept::kType)];
+  std::vector<bool> types(count, false);
+  for (std::size_t type = 0; type < count; ++type) {
+    types[type] = std::any_of(kActions.begin(), kActions.end(), [&](Action action) {
+      return anyFeature(model, action, [&](const ContextFeature& feature) {
+        return isAboutOthers(feature) && index(feature.type) == type;
+      });
+    });
+  }
+  return types;
 }
 
 }  // namespace conceptplan

@@ -43,4 +43,7 @@ struct ActionTables {
 /// Whether what an action does, or whether it is legal, depends on the other objects.
 bool dependsOnOthers(const SymbolicModel& model, Action action);
 
+/// Whether that of any action depends on objects of a TYPE symbol, [types].
+std::vector<bool> watchedTypes(const SymbolicModel& model);
+
 }  // namespace conceptplan

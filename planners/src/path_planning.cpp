@@ -27,7 +27,7 @@ PlanResult answer(const SymbolGraph& graph, const PlanQuery& query, double legal
     if (guard.stopped()) {
       result.reason = guard.reason();
     } else {
-      explainInfeasible(graph, legality_threshold, query.limits.horizon, guard, result);
+      explainInfeasible(graph, query, legality_threshold, guard, result);
     }
     result.rejections = traceRejections(
         graph,

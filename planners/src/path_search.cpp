@@ -1,10 +1,10 @@
 #include "path_search.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <queue>
 #include <span>
 
+#include "grouped_by_end.hpp"
 #include "path_rank.hpp"
 #include "radix_queue.hpp"
 
@@ -87,27 +87,6 @@ std::optional<std::vector<StateEdge>> reachedEdges(std::size_t num_states, State
   return edges;
 }
 
-/// Edges grouped by the state that they lead to.
-class EdgesByEnd {
- public:
-  EdgesByEnd(std::size_t num_states, std::span<const StateEdge> edges)
-      : first_(num_states + 1, 0), edges_(edges.size()) {
-    for (const StateEdge& edge : edges) ++first_[index(edge.to) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    std::vector<std::size_t> free(first_.begin(), first_.end() - 1);
-    for (const StateEdge& edge : edges) edges_[free[index(edge.to)]++] = edge;
-  }
-
-  std::span<const StateEdge> operator[](StateId end) const {
-    return std::span(edges_).subspan(first_[index(end)],
-                                     first_[index(end) + 1] - first_[index(end)]);
-  }
-
- private:
-  std::vector<std::size_t> first_;
-  std::vector<StateEdge> edges_;
-};
-
 }  // namespace
 
 std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, StateId goal,
@@ -152,13 +131,14 @@ std::vector<StatePath> shortestPaths(const SymbolGraph& graph, double legality_t
   options.ties = TieOrder::kOldestFirst;  // so paths of one length come by their actions' order
   return bestPaths(
       graph.numStates(), start, goal,
-      likelySuccessors(graph, legality_threshold, [](const Outcome&) { return rankOf(kNat, 1); }),
+      likelySuccessors(
+          graph, legality_threshold, [](const Outcome&) { return rankOf(kNat, 1); }, &guard),
       [](StateId) { return PathRank{0}; }, options, guard, statistics);
 }
 
 std::vector<PathCost> leastCosts(std::size_t num_states, StateId goal,
                                  std::span<const StateEdge> edges, SearchGuard& guard) {
-  const EdgesByEnd into(num_states, edges);
+  const GroupedByEnd<StateEdge> into(num_states, edges);
   std::vector<PathCost> distance(num_states, kOutOfReach);
   RadixQueue<StateId> open(TieOrder::kNewestFirst);
   distance[index(goal)] = 0;

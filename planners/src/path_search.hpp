@@ -41,10 +41,11 @@ std::vector<StatePath> severalPaths(std::size_t num_states, StateId start, State
                                     const PathSearchOptions& options, SearchGuard& guard,
                                     SearchStatistics& statistics);
 
-/// As `severalPaths`; a single path is left to `bestPath` where it can tell.
+/// As `severalPaths`; a single path is left to `bestPath` where it can tell. Where it cannot, what
+/// it expanded counts too.
 /// @param steps as for `bestPath`, and a `SuccessorFunction` with PathRanks as costs.
 /// @param heuristic a consistent PathHeuristic, at most kFarthest or kOutOfReach, 0 at the goal. It
-/// may know how to reduce the steps' costs beforehand, `heuristic.reduced(steps)`.
+/// may know how to reduce the steps' costs beforehand, `heuristic.reduced(steps, &guard)`.
 template <typename Steps, typename Heuristic>
 std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId goal,
                                  const Steps& steps, const Heuristic& heuristic,
@@ -53,19 +54,17 @@ std::vector<StatePath> bestPaths(std::size_t num_states, StateId start, StateId 
   if (options.top == 1 && !options.greedy) {
     const PathRank least = heuristic(start);
     if (least == kOutOfReach) return {};
-    const SearchStatistics before = statistics;
     const auto search = [&](const auto& guided) {
       return bestPath(num_states, start, goal, least, guided, options.horizon, options.ties, guard,
                       statistics);
     };
     std::optional<std::vector<StatePath>> best;
-    if constexpr (requires { heuristic.reduced(steps); }) {
-      best = search(heuristic.reduced(steps));
+    if constexpr (requires { heuristic.reduced(steps, &guard); }) {
+      best = search(heuristic.reduced(steps, &guard));
     } else {
       best = search(GuidedSteps(steps, heuristic));
     }
     if (best) return *std::move(best);
-    statistics = before;  // the other search has all the expansions that were allowed
   }
   return severalPaths(num_states, start, goal, std::cref(steps), std::cref(heuristic), options,
                       guard, statistics);

@@ -19,7 +19,7 @@ void checkQuery(const PlanQuery& query) {
 PlanResult Planner::solve(const SymbolGraph& graph, const PlanQuery& query) const {
   checkQuery(query);
   PlanResult result = search(graph, query);
-  result.statistics.validity_checks = graph.validityChecks();
+  result.statistics.validity_checks += graph.validityChecks();
   return result;
 }
 

@@ -103,8 +103,8 @@ ProjectionHeuristic::ConceptDistances ProjectionHeuristic::distances(std::size_t
   return distances;
 }
 
-StateSteps ProjectionHeuristic::reduced(const StateSteps& steps) const {
-  return steps.atCosts(reading_, [&](std::size_t from, const StateSteps::Step& step) {
+StateSteps ProjectionHeuristic::reduced(const StateSteps& steps, SearchGuard* guard) const {
+  const auto reduced_cost = [&](std::size_t from, const StateSteps::Step& step) {
     const ConceptDistances before = distances(from);
     const ConceptDistances after = distances(from + static_cast<std::size_t>(step.shift));
     PathCost cost = step.cost;
@@ -114,7 +114,8 @@ StateSteps ProjectionHeuristic::reduced(const StateSteps& steps) const {
       cost += after[k] - before[k];
     }
     return cost;
-  });
+  };
+  return steps.atCosts(reading_, reduced_cost, guard);
 }
 
 }  // namespace conceptplan

@@ -53,7 +53,8 @@ class ProjectionHeuristic {
 
   /// The steps of the goal's reading at reduced costs, as `GuidedSteps`, worked out once for each
   /// context: what a step changes is part of its context.
-  StateSteps reduced(const StateSteps& steps) const;
+  /// @param guard as of `StateSteps`
+  StateSteps reduced(const StateSteps& steps, SearchGuard* guard = nullptr) const;
 
  private:
   /// Of each concept that the states index, in their order, from its symbol to the goal's; then 0.

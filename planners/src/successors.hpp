@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "conceptplan/planners/search_guard.hpp"
 #include "conceptplan/planners/state_path.hpp"
 #include "graph_tables.hpp"
 #include "path_rank.hpp"
@@ -44,7 +45,9 @@ class StateSteps {
   /// @param steps adds those of the outcomes of a legal action.
   using Choice = std::function<void(Action, std::span<const Outcome>, std::vector<Step>& steps)>;
 
-  StateSteps(const SymbolGraph& graph, double legality_threshold, const Choice& choice);
+  /// @param guard once it has been stopped, the steps have no use; null: nothing stops it
+  StateSteps(const SymbolGraph& graph, double legality_threshold, const Choice& choice,
+             SearchGuard* guard = nullptr);
 
   bool valid(StateId state) const { return graph_.valid[index(state)] != 0; }
 
@@ -72,8 +75,10 @@ class StateSteps {
   /// The same steps at other costs, in one reading alone.
   /// @param cost of a step from the state of this number among those of the reading, or from any
   /// other in the same context; kOutOfReach leaves it out.
+  /// @param guard as of the constructor
   StateSteps atCosts(std::size_t reading,
-                     const std::function<PathCost(std::size_t from, const Step&)>& cost) const;
+                     const std::function<PathCost(std::size_t from, const Step&)>& cost,
+                     SearchGuard* guard = nullptr) const;
 
   /// All steps of the reading, where they are valid and where they are not.
   const std::vector<ContextSteps>& ofReading(std::size_t reading) const { return steps_[reading]; }
@@ -108,20 +113,23 @@ class FunctionSteps {
 /// The problem in which every action has its most probable outcome (single-outcome
 /// determinisation), at the cost given.
 /// Source: S. Yoon, A. Fern and R. Givan, FF-Replan, ICAPS 2007.
+/// @param guard here and below as of `StateSteps`
 StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
-                            const std::function<PathCost(const Outcome&)>& cost);
+                            const std::function<PathCost(const Outcome&)>& cost,
+                            SearchGuard* guard = nullptr);
 
 /// As above with the cost `-log Pr[outcome] - log(1 - step_discount)`: the cost of a path is the
 /// negative logarithm of its discounted probability.
 StateSteps likelySuccessors(const SymbolGraph& graph, double legality_threshold,
-                            double step_discount);
+                            double step_discount, SearchGuard* guard = nullptr);
 
 /// The same with PathRanks as costs, for the searches that order by them.
 StateSteps rankedSuccessors(const SymbolGraph& graph, double legality_threshold,
-                            double step_discount);
+                            double step_discount, SearchGuard* guard = nullptr);
 
 /// The problem in which the planner may choose among the outcomes of an action; every step costs
 /// one nat. Its distances never exceed those of the problem itself.
-StateSteps anyOutcomeSuccessors(const SymbolGraph& graph, double legality_threshold);
+StateSteps anyOutcomeSuccessors(const SymbolGraph& graph, double legality_threshold,
+                                SearchGuard* guard = nullptr);
 
 }  // namespace conceptplan

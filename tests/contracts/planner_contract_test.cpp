@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <future>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "conceptplan/domain/simulation/judgement.hpp"
 #include "conceptplan/domain/simulation/simulator.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
+#include "planners/grid_world.hpp"
 #include "planners/learned_world.hpp"
 #include "planners/sample_tasks.hpp"
 
@@ -170,6 +173,84 @@ TEST_P(PlannerContract, ACancelIsHonoured) {
   const PlanResult result = solve(testTask(3, 1), query);
   EXPECT_EQ(result.status, PlanStatus::kLimit);
   EXPECT_EQ(result.reason, "cancelled");
+}
+
+/// A bench of 40,000 cells, of which a plan passes 398; back from the last to the first.
+const SymbolGraph& longWay() {
+  static const testing::GridWorld world = testing::gridWorld(200, 200, 1, 0, 1);
+  static const SymbolGraph there = compile(world.model, world.problem, GridValidity());
+  static const SymbolGraph back =
+      there.between(there.mostProbableGoal(), there.mostProbableStart());
+  return back;
+}
+
+TEST_P(PlannerContract, TheLimitOfExpansionsIsHonouredInMidSearch) {
+  PlanQuery query;
+  query.limits.horizon = 1000;
+  query.limits.timeout_s = 1000;
+  query.limits.max_expansions = 300;
+  query.count_rejections = true;
+  const PlanResult result = planner_->solve(longWay(), query);
+  EXPECT_EQ(result.status, PlanStatus::kLimit);
+  EXPECT_EQ(result.reason, "stopped at the limit of 300 expansions");
+  EXPECT_EQ(result.statistics.expanded, 300u);
+  ASSERT_TRUE(result.ruled_out);
+  EXPECT_LE(result.ruled_out->states, 300u);
+}
+
+/// A bench of 1,280,000 states, all in reach but the goal, which stands in a corner shut off.
+const SymbolGraph& longProof() {
+  static const testing::GridWorld world = [] {
+    testing::GridWorld shut = testing::gridWorld(200, 200, 32, 0, 1);
+    for (const int x : {198, 199}) {
+      Symbols obstacle{};
+      obstacle[index(Concept::kPositionX)] = SymbolId{x};
+      obstacle[index(Concept::kPositionY)] = SymbolId{x == 199 ? 198 : 199};
+      shut.problem.initial.objects.push_back(certain(obstacle, shut.model.cardinality()));
+    }
+    return shut;
+  }();
+  static const SymbolGraph graph = compile(world.model, world.problem, GridValidity());
+  return graph;
+}
+
+/// Enough for any search but for what stops it.
+PlanQuery withoutLimits() {
+  PlanQuery query;
+  query.limits.horizon = 1'000'000;
+  query.limits.timeout_s = 1000;
+  query.limits.max_expansions = 1'000'000'000;
+  query.count_rejections = true;
+  return query;
+}
+
+/// How long a search may go on after its limit, on a machine that has other work too.
+constexpr std::chrono::seconds kSoon{20};
+
+TEST_P(PlannerContract, ACancelFromAnotherThreadEndsTheSearchSoon) {
+  const SymbolGraph& graph = longProof();
+  std::atomic<bool> cancel{false};
+  PlanQuery query = withoutLimits();
+  query.limits.cancel = &cancel;
+  auto answer = std::async(std::launch::async, [&] { return planner_->solve(graph, query); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  cancel = true;
+  EXPECT_EQ(answer.wait_for(kSoon), std::future_status::ready);
+  const PlanResult result = answer.get();
+  EXPECT_EQ(result.status, PlanStatus::kLimit);
+  EXPECT_EQ(result.reason, "cancelled");
+  EXPECT_TRUE(result.plans.empty());
+}
+
+TEST_P(PlannerContract, TheTimeLimitEndsTheSearchSoonInMidSearch) {
+  const SymbolGraph& graph = longProof();
+  PlanQuery query = withoutLimits();
+  query.limits.timeout_s = 0.005;
+  const auto start = std::chrono::steady_clock::now();
+  const PlanResult result = planner_->solve(graph, query);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, kSoon);
+  EXPECT_EQ(result.status, PlanStatus::kTimeout);
+  EXPECT_TRUE(result.plans.empty());
 }
 
 TEST_P(PlannerContract, TheHorizonIsHonoured) {

@@ -197,6 +197,29 @@ TEST(BestPath, CannotTellWhereTheHorizonMayHideAShorterWayThatCostsMore) {
   EXPECT_THAT(paths.front().actions, ElementsAre(Action::kMoveRight, Action::kMoveLeft));
 }
 
+TEST(BestPath, WhatItExpandedCountsAlsoWhereItCannotTell) {
+  const FunctionSteps steps(edges({{0, {Action::kMoveLeft, StateId{1}, 1}},
+                                   {1, {Action::kMoveLeft, StateId{2}, 1}},
+                                   {0, {Action::kMoveRight, StateId{2}, 9}},
+                                   {2, {Action::kMoveLeft, StateId{3}, 1}}}));
+  const auto searched = [&](std::size_t max_expansions) {
+    SearchLimits limits;
+    limits.max_expansions = max_expansions;
+    SearchGuard guard(limits);
+    SearchStatistics both;
+    const auto paths = bestPaths(4, StateId{0}, StateId{3}, steps, noGuidance, {1, 2}, guard, both);
+    return std::pair(both.expanded, paths.size());
+  };
+  SearchGuard guard(SearchLimits{});
+  SearchStatistics one, several;
+  EXPECT_FALSE(
+      bestPath(4, StateId{0}, StateId{3}, 0, steps, 2, TieOrder::kNewestFirst, guard, one));
+  severalPaths(4, StateId{0}, StateId{3}, steps, noGuidance, {1, 2}, guard, several);
+  const std::size_t all = one.expanded + several.expanded;
+  EXPECT_EQ(searched(all), std::pair(all, std::size_t{1}));
+  EXPECT_EQ(searched(all - 1), std::pair(all - 1, std::size_t{0}));
+}
+
 TEST(BestPath, CannotTellOfCostsBeyondWhatARankHolds) {
   std::multimap<int, Successor> steps;
   for (int i = 0; i < 9; ++i) {

@@ -107,6 +107,69 @@ TEST(JointTrace, WhereOneIsShutInObjectsAreToBlameAndTheOthersStillGetToTheirGoa
   EXPECT_THAT(result.rejections, ::testing::Not(IsEmpty()));
 }
 
+TEST(JointTrace, ObjectsInOneCellBlockTogether) {
+  const JointWorld world =
+      jointGrid(4, 2, 1, {{{0, 0}, {3, 0}}, {{0, 1}, {1, 1}}}, {{2, 0}, {2, 1}, {2, 0}, {2, 1}});
+  EXPECT_THAT(solved(world).blocking, ElementsAre(2, 4));
+  JointWorld rest = world;
+  rest.problem.objects.erase(rest.problem.objects.begin() + 2);
+  EXPECT_EQ(solved(rest).status, PlanStatus::kInfeasible);
+}
+
+TEST(JointTrace, NoObjectsAreToBlameWhereWithoutThemTargetsCannotPassEachOther) {
+  const PlanResult result =
+      solved(jointGrid(5, 1, 1, {{{0, 0}, {4, 0}}, {{4, 0}, {0, 0}}}, {{2, 0}}));
+  EXPECT_THAT(result.reason, HasSubstr("cannot get to its goal"));
+  EXPECT_THAT(result.blocking, IsEmpty());
+  EXPECT_THAT(result.reason, ::testing::Not(HasSubstr("not known")));
+}
+
+/// The smallest set of objects that are no targets without which there is a plan, by trying all.
+std::vector<std::size_t> blockingByTryingAll(const JointWorld& world) {
+  const std::size_t targets = world.problem.targets.size();
+  const std::size_t obstacles = world.problem.objects.size() - targets;
+  std::vector<std::size_t> best;
+  for (std::size_t removed = 1; removed < std::size_t{1} << obstacles; ++removed) {
+    JointWorld rest = world;
+    std::vector<std::size_t> objects;
+    for (std::size_t i = obstacles; i-- > 0;) {
+      if ((removed >> i & 1) == 0) continue;
+      objects.insert(objects.begin(), targets + i);
+      rest.problem.objects.erase(rest.problem.objects.begin() +
+                                 static_cast<std::ptrdiff_t>(targets + i));
+    }
+    const bool is_better = best.empty() || objects.size() < best.size() ||
+                           (objects.size() == best.size() && objects < best);
+    if (is_better && solved(rest).status == PlanStatus::kSolved) best = objects;
+  }
+  return best;
+}
+
+TEST(JointTrace, BlockingIsTheSmallestSetOfAllWithoutWhichThereIsAPlan) {
+  std::size_t some = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const JointWorld world = testing::drawnJointGrid(3, 3, 1, 2, 5, seed);
+    const PlanResult result = solved(world);
+    if (result.status != PlanStatus::kInfeasible) continue;
+    if (result.reason.find("cannot get to its goal") == std::string::npos) continue;
+    if (result.reason.find("rule each other out") != std::string::npos) continue;
+    EXPECT_EQ(result.blocking, blockingByTryingAll(world)) << seed;
+    some += result.blocking.empty() ? 0 : 1;
+  }
+  EXPECT_GT(some, 20u);
+}
+
+TEST(JointTrace, SaysThatALimitKeptTheBlockingObjectsUnknown) {
+  const JointWorld world =
+      jointGrid(4, 2, 1, {{{0, 0}, {3, 0}}, {{0, 1}, {1, 1}}}, {{2, 0}, {2, 1}});
+  const PlanResult result = solved(world, 2);
+  EXPECT_EQ(result.status, PlanStatus::kInfeasible);
+  EXPECT_THAT(result.blocking, IsEmpty());
+  EXPECT_THAT(result.reason, HasSubstr("; which objects block the way is not known: stopped at the "
+                                       "limit of 2 expansions"));
+  EXPECT_EQ(result.statistics.expanded, 2u);
+}
+
 TEST(JointTrace, WhereTheNearestOfEachRuleEachOtherOutTheBestOfBothIsTold) {
   const JointWorld shut =
       jointGrid(4, 2, 1, {{{0, 0}, {3, 0}}, {{0, 1}, {1, 0}}}, {{2, 0}, {2, 1}});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "conceptplan/planners/graph_source.hpp"
 #include "conceptplan/planners/planner_registry.hpp"
 #include "planners/grid_world.hpp"
 
@@ -33,10 +34,13 @@ SymbolicProblem problemOf(const std::vector<Symbols>& objects, std::size_t targe
 
 /// The answers of planners that find out by beliefs, by paths and by a policy.
 std::vector<PlanResult> solveAll(const SymbolicProblem& problem, std::size_t horizon = 24) {
-  const SymbolGraph graph =
-      compile(testing::gridWorld(3, 5, 4, 0, 1).model, problem, GridValidity());
+  const SymbolicModel model = testing::gridWorld(3, 5, 4, 0, 1).model;
+  const GridValidity validity;
+  const SymbolGraph graph = compile(model, problem, validity);
+  const GraphSource source{model, validity};
   PlanQuery query;
   query.limits.horizon = horizon;
+  query.source = &source;
   std::vector<PlanResult> results;
   for (const char* planner : {"belief", "astar", "value-iteration"}) {
     results.push_back(PlannerRegistry::standard().make(planner)->solve(graph, query));

@@ -62,6 +62,34 @@ TEST(SearchGuard, OtherWorkEndsByTimeAndCancelButIsNotCounted) {
   EXPECT_EQ(late.stopped(), PlanStatus::kTimeout);
 }
 
+TEST(SearchGuard, MayKeepSomeOfTheExpansions) {
+  SearchLimits limits;
+  limits.max_expansions = 10;
+  SearchGuard guard(limits);
+  SearchStatistics statistics;
+  std::size_t made = 0;
+  while (guard.leaves(4, statistics) && guard.expand(statistics)) ++made;
+  EXPECT_EQ(made, 7u);
+  EXPECT_EQ(guard.stopped(), PlanStatus::kLimit);
+  EXPECT_EQ(guard.reason(), "stopped at the limit of 10 expansions");
+  EXPECT_FALSE(guard.leaves(1, statistics));
+}
+
+TEST(SearchGuard, HasTimeAfterItWasStoppedUntilTheTimeIsUpOrItIsCancelled) {
+  std::atomic<bool> cancel{false};
+  SearchLimits limits;
+  limits.cancel = &cancel;
+  SearchGuard guard(limits);
+  EXPECT_TRUE(guard.hasTime());
+  guard.stop(PlanStatus::kLimit, "no idea left");
+  EXPECT_TRUE(guard.hasTime());
+  cancel = true;
+  EXPECT_FALSE(guard.hasTime());
+  limits = {};
+  limits.timeout_s = 1e-9;
+  EXPECT_FALSE(SearchGuard(limits).hasTime());
+}
+
 TEST(SearchGuard, APlannerMayStopItself) {
   SearchGuard guard(SearchLimits{});
   SearchStatistics statistics;

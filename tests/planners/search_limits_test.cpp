@@ -81,11 +81,13 @@ TEST(SearchLimits, AnExplanationIsCutShortByACancel) {
   const SymbolGraph graph = largeBench();
   Cancelled cancelled;
   PlanResult result;
-  explainInfeasible(graph, 0.01, 5, cancelled.guard(), result);
+  PlanQuery query;
+  query.limits.horizon = 5;
+  explainInfeasible(graph, query, 0.01, cancelled.guard(), result);
   EXPECT_EQ(result.reason, "no legal and valid steps lead to the goal within 5 actions");
   EXPECT_THAT(result.nearest, IsEmpty());
   SearchGuard guard(SearchLimits{});
-  explainInfeasible(graph, 0.01, 5, guard, result);
+  explainInfeasible(graph, query, 0.01, guard, result);
   EXPECT_THAT(result.reason, HasSubstr("it takes at least 122"));
   EXPECT_THAT(result.nearest, Not(IsEmpty()));
 }
@@ -165,6 +167,54 @@ TEST(SearchLimits, NoHeuristicAfterACancel) {
   const ProjectionHeuristic heuristic(graph, graph.mostProbableGoal(), steps, &cancelled.guard());
   EXPECT_EQ(heuristic(graph.mostProbableStart()), kOutOfReach);
   EXPECT_EQ(cancelled.guard().reason(), "cancelled");
+}
+
+TEST(SearchLimits, NoStepsAfterACancel) {
+  const SymbolGraph graph = largeBench();
+  std::vector<Successor> next;
+  Cancelled cancelled;
+  for (const StateSteps& steps : {likelySuccessors(graph, 0.01, 0.01, &cancelled.guard()),
+                                  rankedSuccessors(graph, 0.01, 0.01, &cancelled.guard()),
+                                  anyOutcomeSuccessors(graph, 0.01, &cancelled.guard())}) {
+    steps(graph.mostProbableStart(), next);
+    EXPECT_THAT(next, IsEmpty());
+  }
+  const StateSteps steps = rankedSuccessors(graph, 0.01, 0.01);
+  const ProjectionHeuristic heuristic(graph, graph.mostProbableGoal(), steps);
+  heuristic.reduced(steps, &cancelled.guard())(graph.mostProbableStart(), next);
+  EXPECT_THAT(next, IsEmpty());
+  heuristic.reduced(steps)(graph.mostProbableStart(), next);
+  EXPECT_THAT(next, Not(IsEmpty()));
+}
+
+TEST(SearchLimits, NoMoreThanTheStartIsReachedAfterACancel) {
+  const SymbolGraph graph = largeBench();
+  const auto reached = [&](SearchGuard* guard) {
+    return reachableStates(graph, graph.mostProbableStart(), 0.01, 200, graph.numStates(), guard)
+        .size();
+  };
+  Cancelled cancelled;
+  EXPECT_EQ(reached(&cancelled.guard()), 1u);
+  EXPECT_EQ(reached(nullptr), graph.numStates());
+}
+
+TEST(SearchLimits, WhatWasRuledOutIsNotCountedAfterACancel) {
+  const SymbolGraph graph = largeBench();
+  for (const bool cancels : {false, true}) {
+    std::atomic<bool> cancel{false};
+    PlanQuery query = largeQuery();
+    query.count_rejections = true;
+    query.limits.cancel = &cancel;
+    const PlanResult result = withTally(graph, query, 0.01, [&](SearchGuard& guard) {
+      PlanResult answer;
+      for (std::size_t i = 0; i < graph.numStates(); ++i) {
+        guard.expand(answer.statistics, static_cast<StateId>(i));
+      }
+      cancel = cancels;
+      return answer;
+    });
+    EXPECT_EQ(result.ruled_out.has_value(), !cancels);
+  }
 }
 
 TEST(SearchLimits, NoLeastCostsAfterACancel) {

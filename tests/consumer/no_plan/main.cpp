@@ -1,6 +1,7 @@
 // Tells why there is no plan. The argument is a symbolic model.
 #include <algorithm>
 #include <conceptplan/planners/belief_planner.hpp>
+#include <conceptplan/planners/graph_source.hpp>
 #include <iostream>
 
 using namespace conceptplan;
@@ -29,7 +30,10 @@ int main(int argc, char** argv) try {
   };
   // Object 0 at (0, 0) shall go to (0, 2); the others shut it in.
   const SymbolicProblem problem{{{}, {at(0, 0), at(0, 1), at(1, 0)}, 0}, at(0, 2)};
-  explain(BeliefPlanner().solve(compile(model, problem, GridValidity()), {}));
+  // Compiled again without some objects, it tells which of them block the way.
+  const GridValidity validity;
+  const GraphSource source{model, validity};
+  explain(BeliefPlanner().solve(compile(model, problem, validity), {.source = &source}));
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 2;

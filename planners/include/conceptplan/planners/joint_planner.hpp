@@ -43,7 +43,7 @@ class JointPlanner {
   /// may be another target. What is nearest is in reach of all targets together, by the least cost
   /// to their goals if nothing were in their way; the reason says if a limit kept it unknown.
   /// Objects are said to be blocking only where they keep targets from their goals wherever the
-  /// other targets are.
+  /// other targets are, and there is a plan without them, if perhaps beyond the horizon.
   ///
   /// @pre two objects are valid together whichever of them is asked about, which depends on the
   /// same concepts of both, and a scene is valid if its objects are so in pairs, as bodies are.

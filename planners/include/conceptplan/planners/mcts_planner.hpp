@@ -14,7 +14,8 @@ struct MctsPlannerOptions {
 /// The problem of `ValueIterationPlanner` by Monte-Carlo tree search: runs from the start choose
 /// actions by upper confidence bounds (UCT), with drawn outcomes; behind the states known so far a
 /// run takes the action that brings the goal nearest. The values of actions are means of runs. A
-/// run is one expansion.
+/// run is one expansion. Where a limit ends the runs, the best plans found are those of the runs so
+/// far; a tenth of the expansions at most is left for them.
 /// Source: L. Kocsis and C. Szepesvari, Bandit based Monte-Carlo planning, 2006,
 /// doi:10.1007/11871842_29; states reached in several ways are one node.
 class MctsPlanner final : public Planner {

@@ -93,9 +93,10 @@ struct PlanResult {
   /// Why there is no plan, or fewer than asked for because of a limit; `explanation` adds what
   /// blocks the way.
   std::string reason;
-  /// For kInfeasible: the fewest objects of the scene, by index, without which the target could
-  /// get to the goal, each of several if the others were out of its way; empty where objects are
-  /// not the reason, or not found to be.
+  /// For kInfeasible: the fewest objects of the scene, by index, without which there is a way to
+  /// the goal, by some outcomes of the actions; that problem was compiled and searched. Empty where
+  /// objects are not the reason, or not found to be; `reason` tells if finding them was given up.
+  /// For one target it takes `PlanQuery::source`.
   std::vector<std::size_t> blocking;
   /// For kInfeasible: symbols in reach that are nearest the goal, of each target; empty if they
   /// are not known.

@@ -9,6 +9,8 @@
 
 namespace conceptplan {
 
+struct GraphSource;
+
 struct SearchLimits {
   double timeout_s = 10;  ///< > 0; results depend on the machine once it strikes
   std::size_t max_expansions = 20'000;
@@ -22,6 +24,8 @@ struct PlanQuery {
   std::uint64_t seed = 0;  ///< for planners that draw
   /// Whether to fill `PlanResult::ruled_out`: takes a note of each state that the search expands.
   bool count_rejections = false;
+  /// What the graph was compiled from; null: which objects block the way is not found out.
+  const GraphSource* source = nullptr;
 };
 
 /// @throws std::invalid_argument if the query asks for no plan, or a limit is not positive.
@@ -38,7 +42,8 @@ class Planner {
   PlanResult solve(const SymbolGraph& graph, const PlanQuery& query) const;
 
  private:
-  /// @pre the query is as `solve` asks for. The statistics' `validity_checks` are filled in later.
+  /// @pre the query is as `solve` asks for. `solve` adds the graph's own `validity_checks` to those
+  /// of the statistics.
   virtual PlanResult search(const SymbolGraph& graph, const PlanQuery& query) const = 0;
 };
 

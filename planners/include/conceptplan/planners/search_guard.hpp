@@ -47,6 +47,14 @@ class SearchGuard {
     return !stopped_;
   }
 
+  /// Stops the search, as at the limit of expansions, if fewer than so many are left of them. False
+  /// once it has been stopped.
+  bool leaves(std::size_t expansions, const SearchStatistics& statistics);
+
+  /// For what is told of a search that may have been stopped: false once the time is up or the
+  /// search is cancelled.
+  bool hasTime() const;
+
   /// Which limit struck; nothing if none did.
   std::optional<PlanStatus> stopped() const { return stopped_; }
 
@@ -63,7 +71,9 @@ class SearchGuard {
   bool mayGoOn();
   bool mayExpand(const SearchStatistics& statistics);
   bool isCancelled() const;
+  bool isLate() const;
   void stopIfLate();
+  void stopAtLimit();
 
   SearchLimits limits_;
   std::vector<bool>* expanded_;
