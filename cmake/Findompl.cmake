@@ -5,7 +5,16 @@ if(TARGET ompl::ompl)
   set(ompl_FOUND TRUE)
   return()
 endif()
-find_package(ompl ${ompl_FIND_VERSION} CONFIG QUIET)
+# Without the version, which is compared below: OMPL's packages of another major version than the one
+# asked for call themselves incompatible, and CMake would pass on to an older one without a word.
+set(ompl_wanted ${ompl_FIND_VERSION})
+unset(ompl_FIND_VERSION)
+unset(ompl_FIND_VERSION_COMPLETE)
+find_package(ompl CONFIG QUIET)
+set(ompl_FIND_VERSION ${ompl_wanted})
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(ompl REQUIRED_VARS ompl_DIR VERSION_VAR ompl_VERSION)
 
 if(ompl_FOUND AND NOT TARGET ompl::ompl)
   list(GET OMPL_LIBRARIES 0 ompl_library)
@@ -14,6 +23,3 @@ if(ompl_FOUND AND NOT TARGET ompl::ompl)
     IMPORTED_LOCATION ${ompl_library}
     INTERFACE_INCLUDE_DIRECTORIES "${OMPL_INCLUDE_DIRS}")
 endif()
-
-include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(ompl REQUIRED_VARS ompl_DIR VERSION_VAR ompl_VERSION)

@@ -100,8 +100,8 @@ ompl::control::SpaceInformationPtr makeSpaceInformation(std::shared_ptr<const Sy
   if (options.control_samples == 0) {
     throw std::invalid_argument("control_samples is 0, expected at least 1");
   }
-  const auto states =
-      std::make_shared<SymbolStateSpace>(std::move(graph), options.legality_threshold);
+  const auto states = std::make_shared<SymbolStateSpace>(
+      std::move(graph), options.legality_threshold, options.check_motion);
   const auto actions = std::make_shared<ActionSpace>(states);
   if (options.seed) {
     std::mt19937_64 random(*options.seed);

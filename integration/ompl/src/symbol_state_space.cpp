@@ -95,8 +95,10 @@ class SymbolProjection final : public ompl::base::ProjectionEvaluator {
 }  // namespace
 
 SymbolStateSpace::SymbolStateSpace(std::shared_ptr<const SymbolGraph> graph,
-                                   double legality_threshold)
-    : graph_(std::move(graph)), legality_threshold_(legality_threshold) {
+                                   double legality_threshold, MotionCheck check_motion)
+    : graph_(std::move(graph)),
+      legality_threshold_(legality_threshold),
+      check_motion_(std::move(check_motion)) {
   if (!graph_) throw std::invalid_argument("a state space needs a symbol graph");
   if (!(legality_threshold >= 0 && legality_threshold <= 1)) {
     throw std::invalid_argument("legality_threshold is " + std::to_string(legality_threshold) +
@@ -175,7 +177,12 @@ void SymbolStateSpace::orderSymbols(Concept axis) {
 
 StateId SymbolStateSpace::next(StateId state, Action action) const {
   if (!contains(state) || graph_->legality(state, action) <= legality_threshold_) return kNowhere;
-  return graph_->transitions(state, action).front().state;
+  const StateId to = graph_->transitions(state, action).front().state;
+  if (check_motion_ && to != state && graph_->valid(state) && graph_->valid(to) &&
+      !check_motion_(graph_->symbols(state), graph_->symbols(to))) {
+    return kNowhere;
+  }
+  return to;
 }
 
 std::size_t SymbolStateSpace::place(StateId state, Concept axis) const {

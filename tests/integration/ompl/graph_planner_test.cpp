@@ -1,6 +1,8 @@
 #include "conceptplan/ompl/graph_planner.hpp"
 
 #include <gmock/gmock.h>
+#include <ompl/base/goals/GoalLazySamples.h>
+#include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/spaces/DiscreteStateSpace.h>
 #include <ompl/control/SimpleSetup.h>
 #include <ompl/control/planners/rrt/RRT.h>
@@ -22,11 +24,14 @@ namespace {
 using ompl::base::PlannerStatus;
 using testing::graphOf;
 using ::testing::HasSubstr;
+using testing::learnedRelabelling;
 using testing::lockedInTask;
 using testing::testTask;
 using ::testing::ThrowsMessage;
 using testing::tinyGraph;
 using testing::tinySymbols;
+
+using StateType = SymbolStateSpace::StateType;
 
 constexpr double kPatience_s = 100;  // the machine may be busy
 
@@ -40,6 +45,23 @@ class Waiting final : public Planner {
     return result;
   }
 };
+
+/// A row of obstacles divides the bench; start and goal lie before it, two steps apart.
+Task dividedTask() {
+  Task task = lockedInTask();
+  task.initial.objects[1].cell = {0, 2};
+  task.initial.objects[2].cell = {1, 2};
+  task.initial.objects.push_back({ObjectType::kEgg, {2, 2}, 0, 0, 0});
+  task.goal.cell = {2, 0};
+  return task;
+}
+
+/// The state of the target of `dividedTask` in a cell.
+StateType stateAt(const SymbolGraph& graph, int column, int row) {
+  ObjectState target = dividedTask().goal;
+  target.cell = {column, row};
+  return StateType(graph.state(learnedRelabelling().symbols(target)));
+}
 
 class GraphPlannerTest : public ::testing::Test {
  protected:
@@ -85,8 +107,8 @@ TEST_F(GraphPlannerTest, ThePathHoldsTheActionsOfThePlan) {
 TEST_F(GraphPlannerTest, PlansBetweenOtherStatesThanTheGraphWasCompiledFor) {
   const auto graph = tinyGraph(tinySymbols(0, 0, 0, 0), tinySymbols(0, 2, 1, 0));
   const auto setup = setupOf(graph, "belief");
-  const SymbolStateSpace::StateType start(graph->state(tinySymbols(0, 2, 0, 0)));
-  const SymbolStateSpace::StateType goal(graph->state(tinySymbols(0, 0, 0, 0)));
+  const StateType start(graph->state(tinySymbols(0, 2, 0, 0)));
+  const StateType goal(graph->state(tinySymbols(0, 0, 0, 0)));
   setup->getProblemDefinition()->clearStartStates();
   setup->getProblemDefinition()->setStartAndGoalStates(&start, &goal);
   EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION);
@@ -110,6 +132,116 @@ TEST_F(GraphPlannerTest, AnInfeasibleProblemGetsAProof) {
   EXPECT_NE(setup->getLastPlannerStatus(), PlannerStatus::TIMEOUT);
   EXPECT_TRUE(setup->getProblemDefinition()->hasSolutionNonExistenceProof());
   EXPECT_EQ(setup->getPlanner()->as<GraphPlanner>()->result().status, PlanStatus::kInfeasible);
+}
+
+TEST_F(GraphPlannerTest, EveryStateOfAGoalIsTried) {
+  const auto graph = graphOf(dividedTask());
+  const StateType beyond = stateAt(*graph, 2, 4), before = stateAt(*graph, 2, 0);
+  for (const char* planner : {"belief", "bfs"}) {
+    for (const auto& states : {std::vector{&beyond, &before}, std::vector{&before, &beyond}}) {
+      const auto setup = setupOf(graph, planner);
+      const auto goal = std::make_shared<ompl::base::GoalStates>(setup->getSpaceInformation());
+      for (const StateType* state : states) goal->addState(state);
+      setup->getProblemDefinition()->setGoal(goal);
+      EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION);
+      EXPECT_EQ(setup->getSolutionPath().length(), 2);
+      EXPECT_TRUE(setup->getSolutionPath().check());
+      EXPECT_FALSE(setup->getProblemDefinition()->hasSolutionNonExistenceProof());
+    }
+  }
+}
+
+TEST_F(GraphPlannerTest, EveryStartIsTried) {
+  const auto graph = graphOf(dividedTask());
+  const StateType beyond = stateAt(*graph, 0, 4), before = stateAt(*graph, 1, 0);
+  const StateType goal = stateAt(*graph, 2, 0);
+  for (const auto& starts : {std::vector{&beyond, &before}, std::vector{&before, &beyond}}) {
+    const auto setup = setupOf(graph);
+    setup->getProblemDefinition()->clearStartStates();
+    for (const StateType* start : starts) setup->getProblemDefinition()->addStartState(start);
+    EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(SymbolStateSpace::id(setup->getSolutionPath().getState(0)), before.id);
+    EXPECT_FALSE(setup->getProblemDefinition()->hasSolutionNonExistenceProof());
+  }
+}
+
+TEST_F(GraphPlannerTest, WhatFailsForEveryStartAndGoalIsProved) {
+  const auto graph = graphOf(dividedTask());
+  const auto setup = setupOf(graph);
+  const StateType other_start = stateAt(*graph, 2, 1);
+  setup->getProblemDefinition()->addStartState(&other_start);
+  const auto goal = std::make_shared<ompl::base::GoalStates>(setup->getSpaceInformation());
+  for (const int column : {0, 1, 2}) {
+    const StateType beyond = stateAt(*graph, column, 4);
+    goal->addState(&beyond);
+  }
+  setup->getProblemDefinition()->setGoal(goal);
+  EXPECT_FALSE(setup->solve(kPatience_s));
+  EXPECT_NE(setup->getLastPlannerStatus(), PlannerStatus::TIMEOUT);
+  EXPECT_TRUE(setup->getProblemDefinition()->hasSolutionNonExistenceProof());
+}
+
+TEST_F(GraphPlannerTest, AGoalHasTheStatesWithinItsThreshold) {
+  const auto graph = graphOf(dividedTask());
+  const StateType start = stateAt(*graph, 0, 0), goal = stateAt(*graph, 2, 4);
+  for (const double threshold : {2.5, 3.5}) {  // three steps to what is in reach
+    const auto setup = setupOf(graph);
+    setup->getProblemDefinition()->clearStartStates();
+    setup->getProblemDefinition()->setStartAndGoalStates(&start, &goal, threshold);
+    const bool solved = setup->solve(kPatience_s) == PlannerStatus::EXACT_SOLUTION;
+    EXPECT_EQ(solved, threshold > 3);
+    EXPECT_EQ(setup->getProblemDefinition()->hasSolutionNonExistenceProof(), !solved);
+  }
+}
+
+TEST_F(GraphPlannerTest, NothingIsProvedOfAGoalThatIsSampled) {
+  const auto graph = graphOf(dividedTask());
+  const StateType beyond = stateAt(*graph, 2, 4), before = stateAt(*graph, 2, 0);
+  const auto setup = setupOf(graph);
+  const auto goal = std::make_shared<ompl::base::GoalLazySamples>(
+      setup->getSpaceInformation(),
+      [](const ompl::base::GoalLazySamples*, ompl::base::State*) { return false; }, false);
+  setup->getProblemDefinition()->setGoal(goal);
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::INVALID_GOAL);
+  goal->addState(&beyond);
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::TIMEOUT);
+  EXPECT_FALSE(setup->getProblemDefinition()->hasSolutionNonExistenceProof());
+  goal->addState(&before);
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::EXACT_SOLUTION);
+}
+
+TEST_F(GraphPlannerTest, AHorizonTooNearProvesNothing) {
+  const auto setup = setupOf(graphOf(dividedTask()));
+  setup->getPlanner()->params().setParam("horizon", "1");
+  EXPECT_EQ(setup->solve(kPatience_s), PlannerStatus::TIMEOUT);
+  EXPECT_EQ(setup->getPlanner()->as<GraphPlanner>()->result().status, PlanStatus::kInfeasible);
+  EXPECT_FALSE(setup->getProblemDefinition()->hasSolutionNonExistenceProof());
+}
+
+TEST_F(GraphPlannerTest, PathsEndBeforeAMotionThatIsDeniedAndFurtherPlansAreTried) {
+  const auto graph = graphOf(dividedTask());
+  const StateType denied = stateAt(*graph, 2, 0), on_the_way = stateAt(*graph, 1, 0);
+  const auto solve = [&](std::size_t top) {
+    SymbolSpaceOptions options;
+    options.check_motion = [&](const Symbols& from, const Symbols& to) {
+      return graph->state(from) != on_the_way.id || graph->state(to) != denied.id;
+    };
+    auto setup = std::make_unique<ompl::control::SimpleSetup>(makeSpaceInformation(graph, options));
+    setStartAndGoal(*setup->getProblemDefinition());
+    setup->setPlanner(std::make_shared<GraphPlanner>(setup->getSpaceInformation(),
+                                                     PlannerRegistry::standard().make("bfs"), "bfs",
+                                                     PlanQuery{.top = top}));
+    setup->solve(kPatience_s);
+    return setup;
+  };
+  const auto one = solve(1);
+  EXPECT_EQ(one->getLastPlannerStatus(), PlannerStatus::APPROXIMATE_SOLUTION);
+  EXPECT_EQ(SymbolStateSpace::id(one->getSolutionPath().getStates().back()), on_the_way.id);
+  EXPECT_TRUE(one->getSolutionPath().check());
+  const auto several = solve(20);
+  EXPECT_EQ(several->getLastPlannerStatus(), PlannerStatus::EXACT_SOLUTION);
+  EXPECT_EQ(several->getSolutionPath().length(), 4);
+  EXPECT_TRUE(several->getSolutionPath().check());
 }
 
 TEST_F(GraphPlannerTest, TheTerminationConditionCancels) {

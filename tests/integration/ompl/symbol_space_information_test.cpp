@@ -124,6 +124,59 @@ TEST(SymbolSpaceInformation, TwoStatesAreJoinedWhereAnActionLeadsFromOneToTheOth
   EXPECT_GT(joined, states->numStates());
 }
 
+TEST(SymbolSpaceInformation, AMotionThatTheCheckDeniesIsInvalidAndNoActionMakesIt) {
+  const auto graph = tinyGraph(tinySymbols(0, 0, 0, 0), tinySymbols(0, 2, 1, 0));
+  SymbolSpaceOptions options;
+  options.check_motion = [](const Symbols& from, const Symbols& to) {
+    EXPECT_NE(from, to);
+    return index(to[index(Concept::kPositionX)]) != 2;
+  };
+  const auto space = makeSpaceInformation(graph, options);
+  StateType left(graph->state(tinySymbols(0, 0, 0, 0)));
+  StateType middle(graph->state(tinySymbols(0, 1, 0, 0)));
+  StateType right(graph->state(tinySymbols(0, 2, 0, 0)));
+  EXPECT_TRUE(space->checkMotion(&left, &middle));
+  EXPECT_FALSE(space->checkMotion(&middle, &right));
+  EXPECT_TRUE(space->checkMotion(&right, &middle));
+  EXPECT_TRUE(space->checkMotion(&right, &right));
+  EXPECT_TRUE(makeSpaceInformation(graph)->checkMotion(&middle, &right));
+
+  StateType to;
+  ControlOf control(Action::kMoveRight);
+  space->propagate(&middle, &control, 1, &to);
+  EXPECT_FALSE(space->isValid(&to));
+  const auto sampler = space->allocControlSampler();
+  for (int i = 0; i < 100; ++i) {
+    sampler->sample(&control, &middle);
+    EXPECT_NE(ActionSpace::action(&control), Action::kMoveRight);
+  }
+}
+
+TEST(SymbolSpaceInformation, MotionsToAndFromInvalidStatesAreNotAskedFor) {
+  Task task = testTask(4, 1);
+  task.initial.objects[task.initial.target].cell =
+      task.initial.objects[task.initial.target == 0 ? 1 : 0].cell;
+  const auto graph = graphOf(task);
+  std::size_t asked = 0;
+  SymbolSpaceOptions options;
+  options.check_motion = [&](const Symbols& from, const Symbols& to) {
+    EXPECT_TRUE(graph->valid(graph->state(from)) && graph->valid(graph->state(to)));
+    ++asked;
+    return false;
+  };
+  const auto space = makeSpaceInformation(graph, options);
+  const auto* states = space->getStateSpace()->as<SymbolStateSpace>();
+  std::size_t out_of_start = 0;
+  for (std::size_t i = 0; i < states->numStates(); ++i) {
+    for (const Action action : kActions) {
+      const StateId from = stateOf(i).id, to = states->next(from, action);
+      if (from == graph->mostProbableStart() && states->contains(to)) ++out_of_start;
+    }
+  }
+  EXPECT_GT(asked, 0u);
+  EXPECT_GT(out_of_start, 0u);
+}
+
 TEST(SymbolSpaceInformation, AMotionThatFailsIsValidUpToItsStart) {
   const auto space = tinySpace();
   const SymbolGraph& graph = space->getStateSpace()->as<SymbolStateSpace>()->graph();

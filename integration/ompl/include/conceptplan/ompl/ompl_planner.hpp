@@ -28,7 +28,7 @@ struct OmplPlannerOptions {
 ///
 /// The same seed gives the same plans in any thread, as long as no time limit strikes: every
 /// generator of OMPL that a run draws from is seeded by itself. OMPL's generator of the process is
-/// not seeded.
+/// not seeded, but OMPL draws a seed from it for each generator that it makes.
 class OmplPlanner final : public Planner {
  public:
   /// @throws std::invalid_argument if an option is out of range.

@@ -3,12 +3,17 @@
 #include <ompl/base/StateSpace.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "conceptplan/planners/symbol_graph.hpp"
 
 namespace conceptplan {
+
+/// Whether the target can move from one valid state to another, by the symbols of both. Threads
+/// call it at the same time.
+using MotionCheck = std::function<bool(const Symbols& from, const Symbols& to)>;
 
 /// A symbol graph as a discrete state space of OMPL. Its states are those of reading 0: what is
 /// believed of the other objects is no state that an action reaches.
@@ -26,19 +31,23 @@ class SymbolStateSpace final : public ompl::base::StateSpace {
     StateId id{};
   };
 
-  /// Where an action leads that is not legal: out of bounds, never valid.
+  /// Where an action leads that is not legal, or whose motion is denied: out of bounds, never
+  /// valid.
   static constexpr StateId kNowhere{-1};
 
+  /// @param check_motion null: every motion passes
   /// @throws std::invalid_argument if the graph is null or the threshold is not in [0, 1].
   explicit SymbolStateSpace(std::shared_ptr<const SymbolGraph> graph,
-                            double legality_threshold = 0.01);
+                            double legality_threshold = 0.01, MotionCheck check_motion = nullptr);
 
   const SymbolGraph& graph() const { return *graph_; }
   std::size_t numStates() const { return graph_->numStates() / graph_->numReadings(); }
   static StateId id(const ompl::base::State* state) { return state->as<StateType>()->id; }
   bool contains(StateId state) const { return index(state) < numStates(); }
 
-  /// The most probable outcome of the action, valid or not; kNowhere where the action is not legal.
+  /// The most probable outcome of the action, valid or not; kNowhere where the action is not legal
+  /// or the check denies the motion to that outcome. Out of a start that is not valid itself, where
+  /// the target stands all the same, motions are not asked for.
   StateId next(StateId state, Action action) const;
 
   /// The concepts that actions change: the axes of the default projection.
@@ -81,6 +90,7 @@ class SymbolStateSpace final : public ompl::base::StateSpace {
 
   std::shared_ptr<const SymbolGraph> graph_;
   double legality_threshold_;
+  MotionCheck check_motion_;
   std::vector<Concept> axes_;
   std::array<std::vector<double>, kNumConcepts> steps_;       // [symbols * symbols]
   std::array<std::vector<SymbolId>, kNumConcepts> order_;     // symbol at each place
