@@ -12,6 +12,7 @@ conceptplan_library(learner
     include/conceptplan/learner/frame_window.hpp
     include/conceptplan/learner/kmeans.hpp
     include/conceptplan/learner/learned_symbols.hpp
+    include/conceptplan/learner/picture_residual.hpp
     include/conceptplan/learner/symbolizer.hpp
     include/conceptplan/learner/tensor_file.hpp
     include/conceptplan/learner/tokens.hpp
@@ -28,10 +29,12 @@ conceptplan_library(learner
     include/conceptplan/learner/torch/object_drawer.hpp
     include/conceptplan/learner/torch/token_tensors.hpp
     include/conceptplan/learner/torch/training_state.hpp
+    include/conceptplan/learner/torch/vict_losses.hpp
     include/conceptplan/learner/torch/vict_trainer.hpp
     include/conceptplan/learner/training/chain_sampler.hpp
     include/conceptplan/learner/training/augmentation.hpp
     include/conceptplan/learner/training/concept_images.hpp
+    include/conceptplan/learner/training/concept_training_options.hpp
     include/conceptplan/learner/training/task_sequences.hpp
     include/conceptplan/learner/visual_transition.hpp
   SOURCES
@@ -43,6 +46,7 @@ conceptplan_library(learner
     src/frame_window.cpp
     src/kmeans.cpp
     src/learned_symbols.cpp
+    src/picture_residual.cpp
     src/symbolizer.cpp
     src/tensor_file.cpp
     src/torch/causal_transition.cpp
@@ -59,11 +63,13 @@ conceptplan_library(learner
     src/torch/object_drawer.cpp
     src/torch/token_tensors.cpp
     src/torch/training_state.cpp
+    src/torch/vict_losses.cpp
     src/torch/vict_trainer.cpp
     src/torch/visual_transition.cpp
     src/training/chain_sampler.cpp
     src/training/augmentation.cpp
     src/training/concept_images.cpp
+    src/training/concept_training_options.cpp
   PUBLIC conceptplan::domain conceptplan::transitions torch
   PRIVATE nlohmann_json::nlohmann_json)
 target_precompile_headers(conceptplan_learner PRIVATE <torch/torch.h>)

@@ -16,7 +16,7 @@ constexpr float kDepthTolerance_m = 0.008F;
 /// Calls visit(pixel of the object's planes, pixel of the frame) for those inside the frame.
 template <typename Visit>
 void forEachPixel(const DrawnObject& object, int width, int height, Visit visit) {
-  const WindowCorner crop = cropCorner(object);
+  const WindowCorner crop = cropCorner(object.location);
   for (int y = std::max(0, -crop.top); y < std::min(kCrop, height - crop.top); ++y)
     for (int x = std::max(0, -crop.left); x < std::min(kCrop, width - crop.left); ++x)
       visit(static_cast<std::size_t>(y * kCrop + x),

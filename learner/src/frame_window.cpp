@@ -28,13 +28,13 @@ WindowCorner windowAround(double x, double y, int width, int height) {
           std::clamp(wholePixel(y) - kEdge / 2, 0, height - kEdge)};
 }
 
-WindowCorner cropCorner(const DrawnObject& object) {
-  const Eigen::Vector2d centre = pixelOf(object.location);
+WindowCorner cropCorner(const std::array<float, 3>& location) {
+  const Eigen::Vector2d centre = pixelOf(location);
   if (!centre.allFinite())
     throw std::invalid_argument("cropCorner: the object lies at " + std::to_string(centre.x()) +
                                 ", " + std::to_string(centre.y()));
-  return {wholePixel(centre.x()) - DrawnObject::kEdge / 2,
-          wholePixel(centre.y()) - DrawnObject::kEdge / 2};
+  return {wholePixel(centre.x()) - ObjectCrop::kEdge / 2,
+          wholePixel(centre.y()) - ObjectCrop::kEdge / 2};
 }
 
 FrameWindow cutWindow(std::span<const std::uint8_t> rgb, std::span<const std::uint8_t> hole,
@@ -42,7 +42,7 @@ FrameWindow cutWindow(std::span<const std::uint8_t> rgb, std::span<const std::ui
   constexpr int kPixels = FrameWindow::kPixels;
   constexpr int kCrop = DrawnObject::kEdge;
   FrameWindow window{corner.left, corner.top, std::vector<float>(8 * kPixels, 0.0F)};
-  const WindowCorner crop = cropCorner(object);
+  const WindowCorner crop = cropCorner(object.location);
   for (int y = 0; y < kEdge; ++y)
     for (int x = 0; x < kEdge; ++x) {
       const int pixel = y * kEdge + x;

@@ -13,6 +13,8 @@ namespace {
 /// Of one footprint: its supports and its height.
 constexpr std::size_t kFootprintNumbers = Outline::kDirections + 1;
 
+constexpr const char* kResidualKey = "pictures.most_residual";
+
 std::string prefix(Concept which) { return "symbols." + std::string(name(which)) + "."; }
 
 NamedTensor vectorOf(const std::vector<int>& numbers) {
@@ -88,6 +90,10 @@ NamedTensors tensorsOf(const LearnedSymbols& symbols) {
     tensors[prefix(which) + "reach"] = {{1}, {static_cast<float>(clusters.reach)}};
     tensors[prefix(which) + "values"] = vectorOf(symbols.values[index(which)]);
   }
+  const PictureResidual& most = symbols.most_residual;
+  tensors[kResidualKey] = {{3},
+                           {static_cast<float>(most.silhouette), static_cast<float>(most.depth_m),
+                            static_cast<float>(most.color)}};
   tensors["grounding.columns"] = vectorOf(symbols.grounding.columns);
   tensors["grounding.rows"] = vectorOf(symbols.grounding.rows);
   NamedTensor& footprints = tensors["grounding.footprints"];
@@ -136,6 +142,15 @@ LearnedSymbols learnedSymbolsFrom(const NamedTensors& tensors, const std::filesy
     values[k] = reader.integers(prefix(which) + "values", cardinality[k],
                                 static_cast<int>(kConceptCardinality[k]));
   }
+  PictureResidual most;
+  if (const NamedTensor* residual = reader.find(kResidualKey, 1)) {
+    const std::vector<float>& limits = residual->values;
+    if (limits.size() == 3 &&
+        std::ranges::all_of(limits, [](float limit) { return limit > 0 && std::isfinite(limit); }))
+      most = {limits[0], limits[1], limits[2]};
+    else
+      reader.fault(kResidualKey, "expected three positive numbers");
+  }
   SymbolGrounding grounding;
   grounding.columns =
       reader.integers("grounding.columns", cardinality[index(Concept::kPositionX)], kMostCells);
@@ -164,7 +179,7 @@ LearnedSymbols learnedSymbolsFrom(const NamedTensors& tensors, const std::filesy
   for (const std::string& message : grounding.faults(cardinality))
     reader.fault("grounding", message);
   reader.throwIfFaulty();
-  return {Symbolizer(std::move(clusters)), std::move(grounding), std::move(values)};
+  return {Symbolizer(std::move(clusters)), std::move(grounding), std::move(values), most};
 }
 
 }  // namespace conceptplan

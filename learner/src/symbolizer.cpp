@@ -111,12 +111,11 @@ double fitTemperature(const Eigen::MatrixXd& distances, const std::vector<Symbol
   return std::exp(0.5 * (low + high));
 }
 
-double fitReach(const Eigen::MatrixXd& distances, double share) {
-  if (distances.rows() == 0) throw std::invalid_argument("fitReach: no distances");
-  Eigen::VectorXd nearest = distances.rowwise().minCoeff();
-  std::sort(nearest.begin(), nearest.end());
-  const double last = static_cast<double>(nearest.size() - 1);
-  return nearest[static_cast<Eigen::Index>(std::ceil(share * last))];
+double quantile(Eigen::VectorXd values, double share) {
+  if (values.size() == 0) throw std::invalid_argument("quantile: no values");
+  std::sort(values.begin(), values.end());
+  const double last = static_cast<double>(values.size() - 1);
+  return values[static_cast<Eigen::Index>(std::ceil(share * last))];
 }
 
 double calibrationError(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,
@@ -130,6 +129,20 @@ double calibrationError(const Eigen::MatrixXd& distances, const std::vector<Symb
     correct.push_back(static_cast<std::size_t>(best) == index(right[static_cast<std::size_t>(i)]));
   }
   return calibrationError(confidence, correct);
+}
+
+Calibration calibrate(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,
+                      double share) {
+  checkSizes(distances, right);
+  std::array<std::vector<Eigen::Index>, 2> rows;  // of even and of odd number
+  std::array<std::vector<SymbolId>, 2> symbols;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    rows[i % 2].push_back(static_cast<Eigen::Index>(i));
+    symbols[i % 2].push_back(right[i]);
+  }
+  const double temperature = fitTemperature(distances(rows[0], Eigen::all), symbols[0]);
+  return {temperature, quantile(distances.rowwise().minCoeff(), share),
+          calibrationError(distances(rows[1], Eigen::all), symbols[1], temperature)};
 }
 
 double calibrationError(const std::vector<double>& confidence, const std::vector<bool>& right) {

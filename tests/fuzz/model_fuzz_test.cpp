@@ -9,6 +9,7 @@
 #include "conceptplan/learner/concept_learner.hpp"
 #include "conceptplan/learner/visual_transition.hpp"
 #include "conceptplan/pipeline/model.hpp"
+#include "domain/dataset/reseal.hpp"
 #include "domain/files/temporary_folder.hpp"
 #include "fuzz/damage.hpp"
 
@@ -62,6 +63,32 @@ TEST(ModelFuzz, DamagedManifestsAreRefusedOrSayTheSame) {
   EXPECT_GT(refused, 1500U);
   folder.write("manifest.json", std::string(300'000, '['));
   EXPECT_THROW(readModelManifest(folder.path()), InputError);
+}
+
+TEST(ModelFuzz, ResealedManifestsAreRefusedOrNameTheirFiles) {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder / kConceptsFile, "concepts");
+  ModelManifest manifest;
+  manifest.name = "m";
+  manifest.stages = {TrainingStage::kLearnConcepts};
+  manifest.measures = {{"validation/dci", 0.5}};
+  writeModelManifest(folder.path(), manifest);
+  std::size_t refused = 0, read = 0;
+  testing::forEachDamage(readFile(folder / "manifest.json"), 1000, 2000, 53,
+                         [&](const std::string& bytes, const std::string& what) {
+                           SCOPED_TRACE(what);
+                           folder.write("manifest.json", bytes);
+                           resealJson(folder / "manifest.json");
+                           try {
+                             const ModelManifest found = readModelManifest(folder.path());
+                             EXPECT_EQ(found.files.size(), found.stages.size());
+                             ++read;
+                           } catch (const InputError&) {
+                             ++refused;
+                           }
+                         });
+  EXPECT_GT(refused, 0U);
+  EXPECT_GT(read, 0U);
 }
 
 /// Tensors of a shipped file with one of them changed, every eighth, as if the checksums fitted.

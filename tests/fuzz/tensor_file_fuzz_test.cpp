@@ -107,7 +107,8 @@ TEST(TensorFileFuzz, SymbolsOfImpossibleTensorsAreRefused) {
       values[k].push_back(static_cast<int>(i));
   }
   SymbolGrounding grounding = standardGrounding();
-  const NamedTensors good = tensorsOf(LearnedSymbols{Symbolizer(clusters), grounding, values});
+  const NamedTensors good =
+      tensorsOf(LearnedSymbols{Symbolizer(clusters), grounding, values, {1, 1, 1}});
   std::mt19937_64 generator(3);
   std::size_t refused = 0;
   for (const auto& [name, tensor] : good)

@@ -30,12 +30,12 @@ TEST(FrameWindow, TakesPlacesFarOutsideAndRefusesThoseThatAreNone) {
   object.alpha.assign(64 * 64, 1.0F);
   object.depth_m.assign(64 * 64, 1.0F);
   object.location = {3e38F, -3e38F, 0};
-  EXPECT_EQ(cropCorner(object).left, 1'000'000 - 32);
-  EXPECT_EQ(cropCorner(object).top, -1'000'000 - 32);
+  EXPECT_EQ(cropCorner(object.location).left, 1'000'000 - 32);
+  EXPECT_EQ(cropCorner(object.location).top, -1'000'000 - 32);
   const std::vector<std::uint16_t> others(384 * 256, 500);
   EXPECT_EQ(hiddenBehind(object, others, 384).alpha, object.alpha);
   object.location[0] = std::nanf("");
-  EXPECT_THAT([&] { cropCorner(object); },
+  EXPECT_THAT([&] { cropCorner(object.location); },
               testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("lies at nan")));
 }
 

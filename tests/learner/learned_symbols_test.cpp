@@ -25,7 +25,7 @@ LearnedSymbols sample() {
   grounding.rows = {4, 3, 2, 1, 0};
   grounding.footprints = uniformFootprints(kConceptCardinality, {outlineOfDisc(0.0625), 0.125});
   grounding.names = symbolNames(values);
-  return {Symbolizer(clusters), grounding, values};
+  return {Symbolizer(clusters), grounding, values, {0.25, 0.0125, 0.5}};
 }
 
 TEST(LearnedSymbols, ReadsWhatItWrote) {
@@ -37,6 +37,9 @@ TEST(LearnedSymbols, ReadsWhatItWrote) {
             sample().symbolizer.clusters(Concept::kSize).centers);
   EXPECT_DOUBLE_EQ(read.symbolizer.clusters(Concept::kColor).temperature, 4.5);
   EXPECT_DOUBLE_EQ(read.symbolizer.clusters(Concept::kSize).reach, 13);
+  EXPECT_DOUBLE_EQ(read.most_residual.silhouette, 0.25);
+  EXPECT_FLOAT_EQ(static_cast<float>(read.most_residual.depth_m), 0.0125F);
+  EXPECT_DOUBLE_EQ(read.most_residual.color, 0.5);
 }
 
 TEST(LearnedSymbols, NamesSymbolsByTheirValues) {
@@ -52,12 +55,14 @@ TEST(LearnedSymbols, CollectsEveryFault) {
   tensors["symbols.SIZE.temperature"].values = {-1};
   tensors["symbols.COLOR.reach"].values = {0};
   tensors["grounding.rows"].values[0] = -3;
+  tensors["pictures.most_residual"].values[1] = 0;
   try {
     learnedSymbolsFrom(tensors, "m");
     FAIL() << "expected an InputError";
   } catch (const InputError& error) {
     const std::string text = error.what();
     EXPECT_THAT(text, testing::HasSubstr("symbols.TYPE.centers"));
+    EXPECT_THAT(text, testing::HasSubstr("pictures.most_residual: expected three positive"));
     EXPECT_THAT(text, testing::HasSubstr("symbols.SIZE.temperature"));
     EXPECT_THAT(text, testing::HasSubstr("symbols.COLOR.reach"));
     EXPECT_THAT(text, testing::HasSubstr("grounding.rows"));

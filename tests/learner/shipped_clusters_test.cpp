@@ -12,12 +12,13 @@ namespace {
 
 TEST(ShippedClusters, AreNotDoubted) {
   const TemporaryFolder folder;
-  generateConcepts(folder.path(), {.split = Split::kValidation, .samples = 1, .seed = 3}, {});
+  const Model model(CONCEPTPLAN_SHIPPED_MODEL);
+  generateConcepts(folder.path(),
+                   {.split = Split::kValidation, .samples = 1, .seed = model.manifest().seed}, {});
   const ConceptDataset data(folder.path());
   std::vector<EncoderInput> inputs;
   for (std::size_t i = 0; i < data.size(); i += 2)
     inputs.push_back(encoderInput(data.sample(i).crop));
-  const Model model(CONCEPTPLAN_SHIPPED_MODEL);
   const std::vector<Tokens> tokens = model.learner().encode(inputs);
   for (const Concept which : kConcepts) {
     TokenMatrix points(static_cast<Eigen::Index>(tokens.size()), TokenMatrix::ColsAtCompileTime);

@@ -50,13 +50,14 @@ TEST(Symbolizer, TellsATokenThatFitsNoSymbol) {
   EXPECT_EQ(symbolizer.nearest(tokens)[2], SymbolId{0});
 }
 
-TEST(Calibration, ReachHoldsTheGivenShareOfNearestDistances) {
-  Eigen::MatrixXd distances(5, 2);
-  distances << 9, 1, 2, 8, 3, 7, 6, 4, 5, 20;
-  EXPECT_EQ(fitReach(distances, 1), 5);
-  EXPECT_EQ(fitReach(distances, 0.5), 3);
-  EXPECT_EQ(fitReach(distances, 0), 1);
-  EXPECT_THROW(fitReach(Eigen::MatrixXd(0, 2), 0.5), std::invalid_argument);
+TEST(Calibration, QuantileIsTheValueAtItsShareOfTheOrder) {
+  Eigen::VectorXd values(5);
+  values << 1, 2, 5, 4, 3;
+  EXPECT_EQ(quantile(values, 1), 5);
+  EXPECT_EQ(quantile(values, 0.5), 3);
+  EXPECT_EQ(quantile(values, 0.6), 4);  // between two: the greater
+  EXPECT_EQ(quantile(values, 0), 1);
+  EXPECT_THROW(quantile(Eigen::VectorXd(0), 0.5), std::invalid_argument);
 }
 
 TEST(Symbolizer, RefusesNoCentresAndBadTemperatures) {
@@ -96,6 +97,21 @@ TEST(Calibration, ErrorIsSmallAtTheRightTemperatureAndLargeAtAWrongOne) {
   EXPECT_LT(calibrationError(distances, right, 2.5), 0.03);
   EXPECT_GT(calibrationError(distances, right, 0.25), 0.1);
   EXPECT_THROW(calibrationError(distances, {}, 1), std::invalid_argument);
+}
+
+TEST(Calibration, FitsOnOneHalfAndTakesTheErrorOnTheOther) {
+  // Even rows are right, odd ones wrong, at distances that are equal but for one far row of each.
+  Eigen::MatrixXd distances(8, 2);
+  for (Eigen::Index i = 0; i < 8; ++i)
+    distances.row(i) << (i < 2 ? 4.0 + static_cast<double>(i) : 1.0), 9;
+  const std::vector<SymbolId> right{SymbolId{0}, SymbolId{1}, SymbolId{0}, SymbolId{1},
+                                    SymbolId{0}, SymbolId{1}, SymbolId{0}, SymbolId{1}};
+  const Calibration calibration = calibrate(distances, right, 1);
+  EXPECT_LT(calibration.temperature, 0.5);  // as sure as can be
+  EXPECT_EQ(calibration.reach, 5);
+  EXPECT_GT(calibration.error, 0.99);
+  EXPECT_THROW(calibrate(distances.topRows(1), {SymbolId{0}}, 1), std::invalid_argument);
+  EXPECT_THROW(calibrate(distances, {SymbolId{0}}, 1), std::invalid_argument);
 }
 
 TEST(Calibration, ErrorIsTheGapBetweenConfidenceAndWhatWasRight) {

@@ -69,7 +69,8 @@ Json rowJson(const FrameEvaluationRow& row) {
           {"psnr_db", row.psnr_db},
           {"ssim", row.ssim},
           {"planned_steps", row.planned_steps},
-          {"read_back", row.read_back}};
+          {"read_back", row.read_back},
+          {"unplanned", row.unplanned}};
 }
 
 std::vector<std::string> rowText(const FrameEvaluationRow& row) {
@@ -79,7 +80,8 @@ std::vector<std::string> rowText(const FrameEvaluationRow& row) {
           decimal(row.psnr_db, 1),
           decimal(row.ssim, 3),
           std::to_string(row.planned_steps),
-          decimal(row.read_back, 1)};
+          decimal(row.read_back, 1),
+          std::to_string(row.unplanned)};
 }
 
 int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
@@ -89,6 +91,9 @@ int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
   const PlannerRegistry registry = allPlanners();
   for (const std::string& planner : options.planners) registry.make(planner, {}, "--planners");
   const TaskDataset tasks(options.tasks);
+  if (options.frames) requireAllFrames(tasks);
+  if (tasks.options().split == Split::kTrain)
+    session.console.message("note: models may have learned from these tasks, of the train split");
   const Model model(findModel(options.model));
   EvaluationOptions evaluation;
   evaluation.planners = options.planners;
@@ -111,8 +116,8 @@ int evaluateTasks(const EvaluateCommandOptions& options, Session& session) {
     evaluation.progress = session.console.progress("frames");
     const std::vector<FrameEvaluationRow> frames = evaluateFrames(tasks, model, evaluation);
     if (session.cancel) throw Interrupted{};
-    TextTable frames_table{
-        {"set", "level", "steps", "PSNR dB", "SSIM", "planned steps", "read back %"}};
+    TextTable frames_table{{"set", "level", "steps", "PSNR dB", "SSIM", "planned steps",
+                            "read back %", "without a plan"}};
     answer["frames"] = Json::array();
     for (const FrameEvaluationRow& row : frames) {
       answer["frames"].push_back(rowJson(row));

@@ -9,6 +9,13 @@ struct InspectModelOptions {
   std::string model;
 };
 
+/// Whether training told that symbols of the concept may be merged or split values.
+bool isDoubtful(const ModelManifest& manifest, Concept which) {
+  const auto found =
+      manifest.measures.find("train/suspicious_clusters/" + std::string(name(which)));
+  return found != manifest.measures.end() && found->second > 0;
+}
+
 /// A measure of the validation split, or null.
 Json measure(const ModelManifest& manifest, const std::string& name) {
   const auto found = manifest.measures.find("validation/" + name);
@@ -37,7 +44,8 @@ Json conceptsJson(const Model& model) {
         {{"name", concept_name},
          {"values", values},
          {"accuracy", measure(model.manifest(), "accuracy/" + concept_name)},
-         {"calibration_error", measure(model.manifest(), "calibration_error/" + concept_name)}});
+         {"calibration_error", measure(model.manifest(), "calibration_error/" + concept_name)},
+         {"suspicious_clusters", isDoubtful(model.manifest(), which)}});
   }
   return list;
 }
@@ -80,6 +88,12 @@ void print(const Json& document, Console& console) {
         {entry["name"], figure(entry["accuracy"]), figure(entry["calibration_error"]), values});
   }
   console.print(concepts);
+  for (const Json& entry : document["concepts"]) {
+    if (entry["suspicious_clusters"].get<bool>()) {
+      console.print("warning: symbols of " + entry["name"].get<std::string>() +
+                    " may be merged or split values");
+    }
+  }
   TextTable actions{{"action", "does", "needs", "probability"}};
   for (const Json& entry : document["actions"]) {
     actions.push_back({entry["name"], entry["does"], entry["needs"], figure(entry["probability"])});

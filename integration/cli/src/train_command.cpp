@@ -82,6 +82,9 @@ int trainStages(TrainCommandOptions options, Session& session) {
     if (!state.message.empty()) note += (note.empty() ? "" : "  ") + state.message;
     (*progress)(state.done, state.total, note);
   };
+  control.warning = [&session](const std::string& text) {
+    session.console.message("warning: " + text);
+  };
   if (!train(options.stages, options.training, control)) throw Interrupted{};
   const ModelManifest manifest = readModelManifest(options.training.model);
   session.console.printJson(
@@ -125,8 +128,12 @@ void addTrainCommand(CommandLine& line) {
   }
   command.add_option("--profile", training.profile, "How much is learned from; cpu if left out")
       ->type_name(profiles);
-  command.add_flag("--resume", training.resume,
-                   "Keep finished stages and go on from the last checkpoint");
+  CLI::Option* resume = command.add_flag("--resume", training.resume,
+                                         "Keep finished stages and go on from the last checkpoint");
+  command
+      .add_flag("--anew", training.anew,
+                "Begin again, and undo what is finished or begun of these stages and later ones")
+      ->excludes(resume);
 }
 
 }  // namespace conceptplan::cli

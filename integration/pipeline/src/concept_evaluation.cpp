@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "conceptplan/domain/input_error.hpp"
 #include "token_measures.hpp"
 #include "torch_threads.hpp"
 
@@ -14,9 +15,10 @@ namespace {
 struct Readings {
   std::vector<Tokens> tokens;
   std::vector<ConceptValues> values;
+  std::vector<bool> recognised;  ///< see `Model::recognises`
 };
 
-Readings readAll(const ConceptDataset& data, const ConceptLearner& learner,
+Readings readAll(const ConceptDataset& data, const Model& model,
                  const ConceptEvaluationOptions& options) {
   constexpr std::size_t kBatch = 256;  // what is decoded at once
   const TorchThreads one_thread(1);
@@ -28,8 +30,12 @@ Readings readAll(const ConceptDataset& data, const ConceptLearner& learner,
     inputs.push_back(encoderInput(sample.crop));
     readings.values.push_back(conceptValues(sample.object));
     if (inputs.size() < kBatch && i + 1 < data.size()) continue;
-    const std::vector<Tokens> tokens = learner.encode(inputs);
+    const std::vector<Tokens> tokens = model.learner().encode(inputs);
     readings.tokens.insert(readings.tokens.end(), tokens.begin(), tokens.end());
+    const std::vector<DrawnObject> drawn = model.learner().draw(tokens);
+    for (std::size_t k = 0; k < inputs.size(); ++k)
+      readings.recognised.push_back(
+          pictureResidual(inputs[k], drawn[k]).within(model.symbols().most_residual));
     inputs.clear();
     if (options.progress) options.progress(i + 1, data.size());
   }
@@ -38,12 +44,23 @@ Readings readAll(const ConceptDataset& data, const ConceptLearner& learner,
 
 }  // namespace
 
+void requireSameSplit(const ConceptDataset& data, const Model& model) {
+  const std::uint64_t trained = model.manifest().seed, drawn = data.options().seed;
+  if (trained == drawn) return;
+  throw InputError({{(data.folder() / "dataset.json").string(), std::nullopt, std::nullopt, "seed",
+                     "expected " + std::to_string(trained) + ", found " + std::to_string(drawn) +
+                         ": the model's training may have seen these combinations; generate the "
+                         "set with --seed " +
+                         std::to_string(trained)}});
+}
+
 ConceptEvaluation evaluateConcepts(const ConceptDataset& data, const Model& model,
                                    const ConceptEvaluationOptions& options) {
+  requireSameSplit(data, model);
   ConceptEvaluation evaluation;
   evaluation.set =
       std::string(name(data.options().split)) + "/" + std::string(name(data.options().domain));
-  const Readings readings = readAll(data, model.learner(), options);
+  const Readings readings = readAll(data, model, options);
   const std::size_t count = readings.tokens.size();
   if (count == 0) return evaluation;
   std::array<std::vector<double>, kNumConcepts> confidence;
@@ -51,7 +68,8 @@ ConceptEvaluation evaluateConcepts(const ConceptDataset& data, const Model& mode
   double all_right = 0, fit_no_symbol = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const SymbolBelief belief = model.symbols().symbolizer.belief(readings.tokens[i]);
-    if (std::ranges::count(model.symbols().symbolizer.fits(readings.tokens[i]), false) > 0)
+    if (!readings.recognised[i] ||
+        std::ranges::count(model.symbols().symbolizer.fits(readings.tokens[i]), false) > 0)
       fit_no_symbol += 1;
     bool all = true;
     for (std::size_t k = 0; k < kNumConcepts; ++k) {

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
+#include "conceptplan/domain/files/checksum.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "step_loop.hpp"
 
@@ -20,11 +21,12 @@ bool trainConcepts(const Run& run, ModelManifest&) {
     images.add(encoderInput(sample.crop), conceptValues(sample.object));
     if (i % 500 == 0) run.report({"reading concepts-train", i, data->size(), ""});
   }
-  ConceptTrainer trainer(images, run.profile.concepts);
-  if (!run.options.start_from.empty()) {
-    const auto path = run.options.start_from / kConceptsFile;
-    trainer.startFrom(decodeTensors(readFile(path), path), path);
-  }
+  ConceptTrainingOptions options = run.profile.concepts;
+  const auto start = run.options.start_from / kConceptsFile;
+  const bool starts_from = !run.options.start_from.empty();
+  if (starts_from) options.start_from = hexadecimal(crc32OfFile(start));
+  ConceptTrainer trainer(images, options);
+  if (starts_from) trainer.startFrom(decodeTensors(readFile(start), start), start);
   const auto describe = [](const ConceptLosses& losses) {
     return nlohmann::ordered_json{{"disentangling", losses.disentangling},
                                   {"pair", losses.pair},
@@ -40,7 +42,6 @@ bool trainConcepts(const Run& run, ModelManifest&) {
   };
   // 3,400 of the profile's 8,400 steps teach tokens, and take 55 % of the time.
   constexpr double kTokenStepCost = 1.8;
-  const ConceptTrainingOptions& options = run.profile.concepts;
   const Phases phases{options.encoder_steps + options.sharpening_steps, kTokenStepCost,
                       trainer.stepsInAll()};
   if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, phases, describe)) return false;

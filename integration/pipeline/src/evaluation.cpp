@@ -21,14 +21,15 @@ struct TaskResult {
 };
 
 /// Counts the objects of the first picture.
-void countObjects(const Task& task, const Percept& initial, TaskResult& result) {
+void countObjects(const Task& task, const Percept& initial, const std::vector<bool>& recognised,
+                  TaskResult& result) {
   for (std::size_t i = 0; i < initial.instances.size(); ++i) {
     const std::size_t at = initial.instances[i] - 1U;
     if (at >= task.initial.objects.size()) continue;
     const bool seen = static_cast<std::size_t>(task.initial.objects[at].type) < kNumSeenTypes;
     ToldObjects& count = seen ? result.seen_types : result.unseen_types;
     ++count.objects;
-    if (std::ranges::count(initial.fits[i], false) > 0) ++count.told;
+    if (!recognised[i] || std::ranges::count(initial.fits[i], false) > 0) ++count.told;
   }
 }
 
@@ -101,9 +102,10 @@ std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model
   const auto evaluateTask = [&](std::size_t i) {
     const Task& task = tasks.tasks()[i];
     TaskResult& result = results[i];
-    const Percept initial = model.perceive(tasks.frame(task, 0));
+    const RgbdImage picture = tasks.frame(task, 0);
+    const Percept initial = model.perceive(picture);
     const Percept goal = model.perceive(tasks.frame(task, static_cast<int>(task.reference.size())));
-    countObjects(task, initial, result);
+    countObjects(task, initial, model.recognises(picture, initial), result);
     const auto problem = readProblem(task, initial, goal);
     std::optional<SymbolGraph> graph;
     if (problem) graph = compile(model.symbolic(), *problem, validity);

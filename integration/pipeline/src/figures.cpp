@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "conceptplan/pipeline/concept_evaluation.hpp"
 #include "figure_parts.hpp"
 #include "torch_threads.hpp"
 
@@ -41,6 +42,7 @@ std::vector<figures::ReadObject> readObjects(const Model& model, const ConceptDa
 
 std::vector<Figure> drawFigures(const Model& model, const ConceptDataset& data,
                                 const FigureOptions& options) {
+  requireSameSplit(data, model);
   const TorchThreads one_thread(1);
   std::mt19937_64 generator(options.seed);
   figures::Material material{model, readObjects(model, data, options, generator), ""};

@@ -22,6 +22,7 @@ struct FrameSums {
   double ssim = 0;
   std::size_t planned_steps = 0;
   std::size_t read_back = 0;
+  bool planned = false;
 };
 
 std::uint8_t targetOf(const Task& task) {
@@ -83,7 +84,8 @@ FrameSums drawTask(const TaskDataset& tasks, const Task& task, const Model& mode
     sums.psnr_db += peakSignalToNoise_dB(drawn[i].front(), truth);
     sums.ssim += structuralSimilarity(drawn[i].front(), truth);
   }
-  if (plans.size() == sums.steps) return sums;
+  sums.planned = plans.size() > sums.steps;
+  if (!sums.planned) return sums;
   const std::vector<Percept> read = model.perceive(drawn.back());
   for (std::size_t step = 0; step < read.size(); ++step) {
     const std::size_t at = read[step].position(target);
@@ -97,12 +99,16 @@ FrameSums drawTask(const TaskDataset& tasks, const Task& task, const Model& mode
 
 }  // namespace
 
-std::vector<FrameEvaluationRow> evaluateFrames(const TaskDataset& tasks, const Model& model,
-                                               const EvaluationOptions& options) {
+void requireAllFrames(const TaskDataset& tasks) {
   if (tasks.options().frames != Frames::kAll)
     throw InputError({{tasks.folder().string(), std::nullopt, std::nullopt, "frames",
                        "expected a set with the pictures of all steps; generate tasks --frames "
                        "all makes one"}});
+}
+
+std::vector<FrameEvaluationRow> evaluateFrames(const TaskDataset& tasks, const Model& model,
+                                               const EvaluationOptions& options) {
+  requireAllFrames(tasks);
   const std::size_t total = tasks.tasks().size();
   std::vector<FrameSums> sums(total);
   std::size_t done = 0;
@@ -127,6 +133,7 @@ std::vector<FrameEvaluationRow> evaluateFrames(const TaskDataset& tasks, const M
       row.ssim += sums[i].ssim;
       row.planned_steps += sums[i].planned_steps;
       row.read_back += static_cast<double>(sums[i].read_back);
+      if (!sums[i].planned) ++row.unplanned;
     }
     const auto steps = static_cast<double>(std::max<std::size_t>(1, row.steps));
     row.psnr_db /= steps;

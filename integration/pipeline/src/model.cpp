@@ -5,10 +5,12 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/domain/object_crop.hpp"
 #include "conceptplan/learner/background.hpp"
 #include "conceptplan/learner/effect_context.hpp"
 #include "observed_frame.hpp"
@@ -120,6 +122,7 @@ std::size_t Percept::position(std::uint8_t instance) const {
 
 struct Model::Parts {
   std::filesystem::path folder;
+  ModelOptions options;
   ModelManifest manifest;
   std::size_t parameters;
   ConceptLearner learner;
@@ -128,13 +131,16 @@ struct Model::Parts {
   VisualTransition transition;
 };
 
-Model::Model(const std::filesystem::path& folder) {
+Model::Model(const std::filesystem::path& folder, const ModelOptions& options) {
+  if (options.threads < 1)
+    throw std::invalid_argument("threads is " + std::to_string(options.threads) +
+                                ", expected >= 1");
   ModelManifest manifest = completeManifest(folder);
   const NamedTensors concepts = readTensors(folder / kConceptsFile);
   const NamedTensors vict = readTensors(folder / kVictFile);
   const EncoderKind encoder = manifest.encoder;
   parts_ = std::make_unique<const Parts>(Parts{
-      folder, std::move(manifest), count(concepts) + count(vict),
+      folder, options, std::move(manifest), count(concepts) + count(vict),
       ConceptLearner(concepts, encoder, folder / kConceptsFile),
       learnedSymbolsFrom(readTensors(folder / kSymbolsFile), folder / kSymbolsFile),
       readSymbolicModel(folder / kTransitionsFile), VisualTransition(vict, folder / kVictFile)});
@@ -160,7 +166,7 @@ Percept Model::perceive(const RgbdImage& image) const {
 }
 
 std::vector<Percept> Model::perceive(std::span<const RgbdImage> images) const {
-  const TorchThreads one_thread(1);
+  const TorchThreads threads(parts_->options.threads);
   const Symbolizer& symbolizer = parts_->symbols.symbolizer;
   std::vector<Percept> percepts;
   for (ObservedFrame& observed : observeFrames(parts_->learner, images)) {
@@ -175,6 +181,24 @@ std::vector<Percept> Model::perceive(std::span<const RgbdImage> images) const {
   return percepts;
 }
 
+std::vector<bool> Model::recognises(const RgbdImage& image, const Percept& percept) const {
+  if (percept.tokens.size() != percept.instances.size())
+    throw std::invalid_argument("a percept of " + std::to_string(percept.instances.size()) +
+                                " instances has the tokens of " +
+                                std::to_string(percept.tokens.size()));
+  const TorchThreads threads(parts_->options.threads);
+  const std::vector<DrawnObject> drawn = parts_->learner.draw(percept.tokens);
+  std::vector<bool> recognised;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const std::uint8_t instance = percept.instances[i];
+    const EncoderInput seen = encoderInput(cropObject(image, instance));
+    const PictureResidual residual =
+        pictureResidual(seen, drawn[i], hiddenPixels(image, instance, seen));
+    recognised.push_back(residual.within(parts_->symbols.most_residual));
+  }
+  return recognised;
+}
+
 std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& percept,
                                      std::uint8_t target, const Plan& plan) const {
   const RenderQuery query{initial, percept, target, plan};
@@ -182,7 +206,7 @@ std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& pe
 }
 
 std::vector<std::vector<RgbdImage>> Model::render(std::span<const RenderQuery> queries) const {
-  const TorchThreads one_thread(1);
+  const TorchThreads threads(parts_->options.threads);
   std::vector<PlanDrawing> drawings(queries.begin(), queries.end());
 
   // Each step starts from the tokens of the one before.

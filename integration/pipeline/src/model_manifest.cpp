@@ -16,22 +16,8 @@ using Json = nlohmann::json;
 constexpr std::array kStages{TrainingStage::kLearnConcepts, TrainingStage::kMakeSymbols,
                              TrainingStage::kCountTransitions, TrainingStage::kTrainVict};
 
-std::vector<const char*> filesOf(TrainingStage stage) {
-  switch (stage) {
-    case TrainingStage::kLearnConcepts:
-      return {kConceptsFile};
-    case TrainingStage::kMakeSymbols:
-      return {kSymbolsFile};
-    case TrainingStage::kCountTransitions:
-      return {kTransitionsFile};
-    case TrainingStage::kTrainVict:
-      return {kVictFile};
-  }
-  return {};
-}
-
 /// The manifest of well-formed JSON; faults name what is missing or of a wrong type.
-/// @param checksum of what the JSON says; one that says none is taken as it is
+/// @param checksum of what the JSON says
 ModelManifest parse(const Json& json, const std::string& checksum,
                     const std::filesystem::path& path, std::vector<Fault>& faults) {
   const auto fault = [&](const std::string& key, const std::string& message) {
@@ -45,9 +31,11 @@ ModelManifest parse(const Json& json, const std::string& checksum,
                                                   : std::string("none")));
     return manifest;
   }
-  if (json.contains("checksum") && json["checksum"] != checksum) {
-    fault("", "is damaged: expected checksum " + json["checksum"].dump() + ", found \"" + checksum +
-                  '"');
+  const auto expected = json.find("checksum");
+  if (expected == json.end()) {
+    fault("checksum", "is missing");
+  } else if (*expected != checksum) {
+    fault("", "is damaged: expected checksum " + expected->dump() + ", found \"" + checksum + '"');
     return manifest;
   }
   const auto read = [&](const char* key, auto& into) {
@@ -89,6 +77,20 @@ ModelManifest parse(const Json& json, const std::string& checksum,
 
 }  // namespace
 
+std::vector<const char*> filesOf(TrainingStage stage) {
+  switch (stage) {
+    case TrainingStage::kLearnConcepts:
+      return {kConceptsFile};
+    case TrainingStage::kMakeSymbols:
+      return {kSymbolsFile};
+    case TrainingStage::kCountTransitions:
+      return {kTransitionsFile};
+    case TrainingStage::kTrainVict:
+      return {kVictFile};
+  }
+  return {};
+}
+
 std::string_view name(TrainingStage stage) {
   switch (stage) {
     case TrainingStage::kLearnConcepts:
@@ -107,7 +109,8 @@ bool ModelManifest::has(TrainingStage stage) const {
   return std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
-ModelManifest readModelManifest(const std::filesystem::path& folder) {
+ModelManifest readModelManifest(const std::filesystem::path& folder,
+                                std::optional<TrainingStage> remade) {
   const auto path = folder / kModelManifestFile;
   const std::string text = readFile(path);
   const Json json =
@@ -116,7 +119,8 @@ ModelManifest readModelManifest(const std::filesystem::path& folder) {
     throw InputError({{path.string(), std::nullopt, std::nullopt, "", "is not a JSON object"}});
   std::vector<Fault> faults;
   ModelManifest manifest = parse(json, hexadecimal(crc32OfJson(text)), path, faults);
-  for (const TrainingStage stage : manifest.stages)
+  for (const TrainingStage stage : manifest.stages) {
+    if (remade && stage >= *remade) break;
     for (const char* file : filesOf(stage)) {
       const auto file_path = folder / file;
       const auto expected = manifest.files.find(file);
@@ -132,6 +136,7 @@ ModelManifest readModelManifest(const std::filesystem::path& folder) {
         faults.insert(faults.end(), error.faults().begin(), error.faults().end());
       }
     }
+  }
   if (!faults.empty()) throw InputError(std::move(faults));
   return manifest;
 }

@@ -15,6 +15,7 @@
 #include "conceptplan/domain/simulation/simulator.hpp"
 #include "conceptplan/fcl/fcl_validity.hpp"
 #include "conceptplan/pipeline/object_name.hpp"
+#include "conceptplan/planners/graph_source.hpp"
 #include "conceptplan/planners/search_guard.hpp"
 
 namespace conceptplan {
@@ -94,8 +95,10 @@ std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Solutio
 }
 
 /// Tells of symbols that are guesses. The solution has the names of the objects already.
-void addDoubts(const std::string& picture, const Percept& percept, const SymbolGrounding& grounding,
-               Solution& solution) {
+void addDoubts(const std::string& picture, const RgbdImage& image, const Percept& percept,
+               const Model& model, Solution& solution) {
+  const SymbolGrounding& grounding = model.symbolic().grounding;
+  const std::vector<bool> recognised = model.recognises(image, percept);
   for (std::size_t i = 0; i < percept.instances.size(); ++i) {
     const std::uint8_t instance = percept.instances[i];
     const auto known = std::ranges::find(solution.instances, instance);
@@ -110,6 +113,9 @@ void addDoubts(const std::string& picture, const Percept& percept, const SymbolG
                                   std::string(name(which)) + " of " + object +
                                   " is like none that was learned; it is read as " +
                                   grounding.name(which, symbols[index(which)]) + ".");
+    if (!recognised[i])
+      solution.doubts.push_back("In the " + picture + " picture, " + object +
+                                " does not look like what it is read as; its symbols are guesses.");
   }
 }
 
@@ -146,8 +152,8 @@ Percept readPictures(const Scenario& scenario, const PictureInput& pictures, con
   const Percept goal = model.perceive(pictures.goal);
   const SymbolGrounding& grounding = model.symbolic().grounding;
   takeObjects(initial.instances, initial.beliefs, grounding, solution);
-  addDoubts("initial", initial, grounding, solution);
-  addDoubts("goal", goal, grounding, solution);
+  addDoubts("initial", pictures.initial, initial, model, solution);
+  addDoubts("goal", pictures.goal, goal, model, solution);
   const bool several = !scenario.targets.empty();
   try {
     if (several) {
@@ -186,6 +192,23 @@ Percept readInput(const Scenario& scenario, const Model& model, Solution& soluti
   return {};
 }
 
+/// What refines the best plan; nothing if the scenario asks for no motion, or has several targets.
+/// @throws InputError if there is no such algorithm, or an option is out of range.
+std::optional<Refiner> refinerOf(const Scenario& scenario, const SearchLimits& limits) {
+  if (!scenario.refine || !scenario.targets.empty()) return std::nullopt;
+  RefinementOptions options;
+  options.clearance_m = scenario.refine->clearance_m;
+  options.algorithm = scenario.refine->algorithm.value_or(options.algorithm);
+  options.max_evaluations = scenario.refine->max_evaluations.value_or(options.max_evaluations);
+  options.timeout_s = limits.timeout_s;
+  options.cancel = limits.cancel;
+  try {
+    return Refiner(options);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({scenario.fault("refine", error.what())});
+  }
+}
+
 /// Fills the result of a solution whose problem has been read.
 using SearchStage = std::function<void(Solution&, const PlanQuery&, Stopwatch& stage)>;
 
@@ -193,6 +216,7 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
                    const SolveOptions& options) {
   Solution solution;
   Stopwatch total, stage;
+  const std::optional<Refiner> refiner = refinerOf(scenario, options.limits);
   const auto* pictures = std::get_if<PictureInput>(&scenario.input);
   const Percept initial = readInput(scenario, model, solution);
   solution.times.perceive_ms = stage.lap();
@@ -207,14 +231,9 @@ Solution solveWith(const SearchStage& search, const Scenario& scenario, const Mo
   solution.times.search_ms = stage.lap();
 
   const bool several = !solution.targets.empty();
-  if (scenario.refine_clearance_m && !several && !solution.result.plans.empty()) {
-    RefinementOptions refinement;
-    refinement.clearance_m = *scenario.refine_clearance_m;
-    refinement.timeout_s = options.limits.timeout_s;
-    refinement.cancel = options.limits.cancel;
-    solution.refinement = Refiner(refinement)
-                              .refine(motionTaskOf(solution.problem, model.symbolic().grounding,
-                                                   solution.result.plans.front()));
+  if (refiner && !solution.result.plans.empty()) {
+    solution.refinement = refiner->refine(
+        motionTaskOf(solution.problem, model.symbolic().grounding, solution.result.plans.front()));
   }
   solution.times.refine_ms = stage.lap();
 
@@ -288,8 +307,10 @@ Solution solveScenario(const Scenario& scenario, const Model& model, const Plann
                        const SolveOptions& options) {
   if (!scenario.targets.empty())
     throw InputError({scenario.fault("targets", "several targets need a planner for several")});
-  const SearchStage search = [&](Solution& solution, const PlanQuery& query, Stopwatch& stage) {
+  const SearchStage search = [&](Solution& solution, PlanQuery query, Stopwatch& stage) {
     const FclValidity validity;
+    const GraphSource source{model.symbolic(), validity};
+    query.source = &source;
     SearchGuard guard(query.limits);
     const std::optional<SymbolGraph> graph =
         compile(model.symbolic(), solution.problem, validity, guard);

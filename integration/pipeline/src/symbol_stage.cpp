@@ -25,8 +25,8 @@ struct Extent {
   double height_m = 0;              ///< above the workbench
 };
 
-/// Share of validation objects, parts of them hidden and light changed, that fit a symbol.
-constexpr double kWithinReach = 0.999;
+/// Share of varied validation objects that pass for learned, by each measure.
+constexpr double kShareLearned = 0.999;
 
 /// Objects of a dataset as the learner and the tape measure see them.
 struct ObservedObjects {
@@ -207,6 +207,21 @@ std::vector<EncoderInput> varied(const std::vector<EncoderInput>& inputs,
   return result;
 }
 
+/// What all but few pictures of learned objects keep below, each measure by itself.
+PictureResidual mostResidual(const ConceptLearner& learner,
+                             const std::vector<EncoderInput>& inputs) {
+  const std::vector<DrawnObject> drawn = learner.draw(learner.encode(inputs));
+  Eigen::MatrixXd residuals(static_cast<Eigen::Index>(inputs.size()), 3);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const PictureResidual one = pictureResidual(inputs[i], drawn[i]);
+    residuals.row(static_cast<Eigen::Index>(i)) << one.silhouette, one.depth_m, one.color;
+  }
+  const auto most = [&](Eigen::Index measure) {
+    return quantile(residuals.col(measure), kShareLearned);
+  };
+  return {most(0), most(1), most(2)};
+}
+
 /// Fits temperatures and reaches, and adds accuracy and calibration on validation to the measures.
 void calibrate(std::array<SymbolClusters, kNumConcepts>& clusters, const std::vector<Tokens>& plain,
                const std::vector<Tokens>& changed, const std::vector<ConceptValues>& truth,
@@ -237,13 +252,13 @@ void calibrate(std::array<SymbolClusters, kNumConcepts>& clusters, const std::ve
     Eigen::MatrixXd distances(static_cast<Eigen::Index>(rows.size()), clusters[k].centers.rows());
     for (std::size_t i = 0; i < rows.size(); ++i)
       distances.row(static_cast<Eigen::Index>(i)) = rows[i];
-    clusters[k].temperature = fitTemperature(distances, right);
-    clusters[k].reach = fitReach(distances, kWithinReach);
+    const Calibration calibration = conceptplan::calibrate(distances, right, kShareLearned);
+    clusters[k].temperature = calibration.temperature;
+    clusters[k].reach = calibration.reach;
     const std::string concept_name(name(which));
     manifest.measures["validation/accuracy/" + concept_name] =
         correct / static_cast<double>(plain.size());
-    manifest.measures["validation/calibration_error/" + concept_name] =
-        calibrationError(distances, right, clusters[k].temperature);
+    manifest.measures["validation/calibration_error/" + concept_name] = calibration.error;
   }
   manifest.measures["validation/accuracy/all"] =
       static_cast<double>(std::count(all_right.begin(), all_right.end(), true)) /
@@ -281,10 +296,13 @@ bool makeSymbols(const Run& run, ModelManifest& manifest) {
         kMeans(tokensOf(train_tokens, which), kConceptCardinality[index(which)], options);
     manifest.measures["train/suspicious_clusters/" + std::string(name(which))] =
         result.suspicious ? 1 : 0;
-    if (result.suspicious)
+    if (result.suspicious) {
       run.log(nlohmann::ordered_json{
           {"stage", "symbols"}, {"concept", name(which)}, {"doubt", result.reason}}
                   .dump());
+      run.warn("symbols of " + std::string(name(which)) +
+               " may be merged or split values: " + result.reason);
+    }
     clusters[index(which)].centers = std::move(result.centers);
   }
 
@@ -301,6 +319,11 @@ bool makeSymbols(const Run& run, ModelManifest& manifest) {
     values[index(which)] =
         valuesOf(validation_symbols, validation.values, which, kConceptCardinality[index(which)]);
   calibrate(clusters, plain, changed, validation.values, values, manifest);
+  // Nothing hidden: what hides an object in a frame is known there.
+  AugmentationOptions unhidden = run.profile.concepts.augmentation;
+  unhidden.occlusion = 0;
+  const PictureResidual most_residual =
+      mostResidual(learner, varied(validation.inputs, unhidden, run.options.seed));
   addTokenScores(tokenScores(plain, validation.values, run.options.seed), "validation",
                  manifest.measures);
 
@@ -315,10 +338,10 @@ bool makeSymbols(const Run& run, ModelManifest& manifest) {
       orderAlong(train_symbols, Concept::kPositionY, cardinality[index(Concept::kPositionY)], y);
   grounding.footprints = footprints(train_symbols, train.extents, grounding, cardinality);
   grounding.names = symbolNames(values);
-  writeFileAtomically(
-      run.options.model / kSymbolsFile,
-      encodeTensors(tensorsOf(LearnedSymbols{Symbolizer(std::move(clusters)), grounding, values}),
-                    TensorPrecision::kFloat32));
+  writeFileAtomically(run.options.model / kSymbolsFile,
+                      encodeTensors(tensorsOf(LearnedSymbols{Symbolizer(std::move(clusters)),
+                                                             grounding, values, most_residual}),
+                                    TensorPrecision::kFloat32));
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <stdexcept>
 
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/domain/files/checksum.hpp"
@@ -48,10 +49,23 @@ Profile smokeProfile() {
   return profile;
 }
 
+/// The same data as `smoke`, of which fewer pictures are read: whole frames take longer.
+Profile smokePaperProfile() {
+  Profile profile = smokeProfile();
+  profile.name = "smoke-paper";
+  profile.symbol_images = 80;
+  profile.validation_images = 80;
+  profile.concepts = paperConceptTraining();
+  profile.concepts.encoder_steps = 2;
+  profile.concepts.chains = 1;
+  profile.concepts.reconstructed_pairs = 1;
+  return profile;
+}
+
 }  // namespace
 
 Profile profileNamed(const std::string& name) {
-  for (Profile profile : {cpuProfile(), paperProfile(), smokeProfile()})
+  for (Profile profile : {cpuProfile(), paperProfile(), smokeProfile(), smokePaperProfile()})
     if (profile.name == name) return profile;
   const std::vector<std::string> profiles = trainingProfiles();
   const std::vector<std::string_view> known(profiles.begin(), profiles.end());
@@ -75,6 +89,10 @@ void Run::report(TrainingProgress progress, double share) const {
   control.progress(progress);
 }
 
+void Run::warn(const std::string& text) const {
+  if (control.warning) control.warning(text);
+}
+
 void Run::log(const std::string& json_line) const {
   std::ofstream(options.model / "training.jsonl", std::ios::app) << json_line << '\n';
 }
@@ -85,14 +103,58 @@ std::filesystem::path Run::checkpoint(TrainingStage stage) const {
 
 namespace {
 
-/// The manifest has one seed, which says what the model never saw.
-void checkSeed(const Run& run, const ModelManifest& manifest) {
-  if (manifest.seed != run.options.seed)
-    throw InputError(
-        {{(run.options.model / kModelManifestFile).string(), std::nullopt, std::nullopt, "seed",
-          "expected " + std::to_string(run.options.seed) + ", found " +
-              std::to_string(manifest.seed) + "; go on with --seed " +
-              std::to_string(manifest.seed) + ", or train all stages anew"}});
+/// The datasets are folders in the folder of data, which is none itself.
+void checkDataFolder(const std::filesystem::path& data) {
+  if (std::filesystem::exists(data / "dataset.json"))
+    throw InputError({{data.string(), std::nullopt, std::nullopt, "",
+                       "is a dataset; expected a folder of datasets, as the one it lies in"}});
+}
+
+/// The model's manifest; files of the stage `anew` and of later ones may be lost, as they are made
+/// again. A fault of a file says which stage makes it.
+ModelManifest manifestOf(const std::filesystem::path& model, std::optional<TrainingStage> anew) {
+  try {
+    return readModelManifest(model, anew);
+  } catch (const InputError& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults)
+      for (int i = 0; i < kNumTrainingStages; ++i) {
+        const auto stage = static_cast<TrainingStage>(i);
+        for (const char* file : filesOf(stage))
+          if (fault.path == (model / file).string())
+            fault.message += "; bring it back, or train stage " + std::string(name(stage)) +
+                             " again, with --anew, and those after it";
+      }
+    throw InputError(std::move(faults));
+  }
+}
+
+/// The manifest has one profile and one seed, which says what the model never saw.
+void checkOptions(const Run& run, const ModelManifest& manifest) {
+  std::vector<Fault> faults;
+  const auto expect = [&](const std::string& key, const std::string& expected,
+                          const std::string& found) {
+    if (expected != found)
+      faults.push_back({(run.options.model / kModelManifestFile).string(), std::nullopt,
+                        std::nullopt, key,
+                        "expected " + expected + ", found " + found + "; go on with --" + key +
+                            " " + found + ", or train all stages with --anew"});
+  };
+  expect("seed", std::to_string(run.options.seed), std::to_string(manifest.seed));
+  expect("profile", run.profile.name, manifest.profile);
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+/// Whether the model has something that training from that stage on would undo.
+bool undoesSomething(const Run& run, const ModelManifest& manifest, TrainingStage first) {
+  if (first == TrainingStage::kLearnConcepts &&
+      std::filesystem::exists(run.options.model / kModelManifestFile))
+    return true;
+  for (int i = static_cast<int>(first); i < kNumTrainingStages; ++i) {
+    const auto stage = static_cast<TrainingStage>(i);
+    if (manifest.has(stage) || std::filesystem::exists(run.checkpoint(stage))) return true;
+  }
+  return false;
 }
 
 /// Finds what is wrong with a call before anything of the model is undone.
@@ -159,25 +221,34 @@ WholeRun wholeRun(const std::vector<TrainingStage>& stages) {
 
 }  // namespace training
 
-std::vector<std::string> trainingProfiles() { return {"cpu", "paper", "smoke"}; }
+std::vector<std::string> trainingProfiles() { return {"cpu", "paper", "smoke", "smoke-paper"}; }
 
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control) {
+  if (options.resume && options.anew)
+    throw std::invalid_argument("train: asked both to resume and to begin anew");
   training::Profile profile = training::profileNamed(options.profile);
   profile.concepts.seed = options.seed;
   profile.vict.seed = options.seed;
   training::WholeRun whole;
   training::Run run{options, control, std::move(profile), whole};
+  training::checkDataFolder(options.data);
   createFolder(options.model);
   const TorchThreads threads(options.jobs);
 
   ModelManifest manifest;
-  const bool anew =
-      !options.resume && !stages.empty() && stages.front() == TrainingStage::kLearnConcepts;
-  if (!anew && std::filesystem::exists(options.model / kModelManifestFile)) {
-    manifest = readModelManifest(options.model);
-    training::checkSeed(run, manifest);
+  const std::optional<TrainingStage> remade =
+      options.resume || stages.empty() ? std::nullopt : std::optional(stages.front());
+  if (remade != TrainingStage::kLearnConcepts &&
+      std::filesystem::exists(options.model / kModelManifestFile)) {
+    manifest = training::manifestOf(options.model, remade);
+    training::checkOptions(run, manifest);
   }
+  if (remade && !options.anew && training::undoesSomething(run, manifest, *remade))
+    throw InputError({{options.model.string(), std::nullopt, std::nullopt, "",
+                       "holds stage " + std::string(name(*remade)) +
+                           " or later ones, finished or begun; go on with --resume, or begin "
+                           "again with --anew"}});
   std::vector<TrainingStage> missing;
   for (const TrainingStage stage : stages)
     if (options.resume && manifest.has(stage))

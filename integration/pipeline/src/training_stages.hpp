@@ -47,6 +47,8 @@ struct Run {
   void report(const TrainingProgress& progress) const;
   /// The same of work whose parts take different times. @param share of its time that is over
   void report(TrainingProgress progress, double share) const;
+  /// Tells of what makes the model doubtful.
+  void warn(const std::string& text) const;
   /// Appends a line to MODEL/training.jsonl.
   void log(const std::string& json_line) const;
   std::filesystem::path checkpoint(TrainingStage stage) const;

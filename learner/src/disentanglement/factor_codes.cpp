@@ -26,7 +26,7 @@ Eigen::MatrixXd columnsOf(const FactorCodes& data, int token) {
 Eigen::VectorXd firstPrincipalCoordinate(Eigen::MatrixXd points) {
   if (points.cols() == 1) return points.col(0);
   points.rowwise() -= points.colwise().mean().eval();
-  return points * principalAxes(points, 1).axes;
+  return points * principalAxes(points, 1);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace conceptplan {
 
-PrincipalAxes principalAxes(Eigen::MatrixXd points, Eigen::Index count) {
+Eigen::MatrixXd principalAxes(Eigen::MatrixXd points, Eigen::Index count) {
   points.rowwise() -= points.colwise().mean().eval();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(points.transpose() * points);
   Eigen::MatrixXd axes = solver.eigenvectors().rightCols(count).rowwise().reverse();
@@ -13,7 +13,7 @@ PrincipalAxes principalAxes(Eigen::MatrixXd points, Eigen::Index count) {
     axes.col(c).cwiseAbs().maxCoeff(&largest);
     if (axes(largest, c) < 0) axes.col(c) *= -1;
   }
-  return {axes, solver.eigenvalues().tail(count).sum() / solver.eigenvalues().sum()};
+  return axes;
 }
 
 }  // namespace conceptplan

@@ -1,5 +1,7 @@
 #include "conceptplan/learner/torch/checkpoint_identity.hpp"
 
+#include <ATen/Parallel.h>
+
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -13,6 +15,8 @@ namespace conceptplan {
 namespace {
 
 constexpr const char* kKey = "identity";
+constexpr const char* kThreads = "threads";
+constexpr const char* kNone = "none";
 constexpr const char* kRemedy = "; remove it to begin anew";
 
 /// What the archive says of its run; nothing if it says nothing, or nothing of sense.
@@ -32,10 +36,17 @@ std::optional<std::map<std::string, std::string>> stored(torch::serialize::Input
 /// The value of that name, or "none".
 std::string valueOf(const std::map<std::string, std::string>& values, const std::string& name) {
   const auto found = values.find(name);
-  return found == values.end() ? "none" : found->second;
+  return found == values.end() || found->second.empty() ? kNone : found->second;
+}
+
+/// What helps if the checkpoint has `there` under that name, and this run something else.
+std::string remedyOf(const std::string& name, const std::string& there) {
+  return name == kThreads && there != kNone ? "; go on with --jobs " + there : kRemedy;
 }
 
 }  // namespace
+
+CheckpointIdentity::CheckpointIdentity() { add(kThreads, std::int64_t{at::get_num_threads()}); }
 
 void CheckpointIdentity::add(const std::string& name, const std::string& value) {
   values_[name] = value;
@@ -76,11 +87,12 @@ void CheckpointIdentity::check(torch::serialize::InputArchive& archive,
   for (const auto& [name, value] : all) {
     const std::string here = valueOf(values_, name), there = valueOf(*found, name);
     if (here != there)
-      faults.push_back({path.string(),
-                        {},
-                        {},
-                        name,
-                        "this run has " + here + ", the checkpoint is of " + there + kRemedy});
+      faults.push_back(
+          {path.string(),
+           {},
+           {},
+           name,
+           "this run has " + here + ", the checkpoint is of " + there + remedyOf(name, there)});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
 }

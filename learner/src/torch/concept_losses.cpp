@@ -17,6 +17,11 @@ torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor
          0.1 * torch::binary_cross_entropy_with_logits(drawn.mask_logits, mask);
 }
 
+torch::Tensor pairReconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
+                                     double foreground_weight) {
+  return 2 * reconstructionLoss(drawn, planes, foreground_weight);  // that is the mean of both
+}
+
 torch::Tensor absoluteColorLoss(const DecodedObject& drawn, const torch::Tensor& planes,
                                 double foreground_weight) {
   const auto weight = 1 + (foreground_weight - 1) * planes.slice(1, 4, 5);
@@ -52,6 +57,15 @@ torch::Tensor prototypeUseLoss(const torch::Tensor& values) {
 
 torch::Tensor prototypeEntropy(const torch::Tensor& values) {
   return -(values * values.clamp_min(kLeastProbability).log()).sum(1).mean();
+}
+
+torch::Tensor conceptLoss(const ConceptTerms& terms, const ConceptTrainingOptions& options,
+                          bool sharpening) {
+  auto total = options.disentangling_weight * terms.disentangling +
+               options.pair_weight * terms.pair + options.use_weight * terms.use;
+  if (sharpening) total = total + options.confidence_weight * terms.confidence;
+  return total + (options.reconstruction_weight * terms.reconstruction + terms.location) +
+         options.reconstruction_weight * terms.direct;
 }
 
 }  // namespace conceptplan

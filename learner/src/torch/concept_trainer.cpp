@@ -73,16 +73,21 @@ bool draws(const std::string& name) {
   return name.starts_with("drawer") || name.starts_with("locator");
 }
 
-/// Errors of the drawn pairs and of where they are put, weighted.
-torch::Tensor drawingLoss(ConceptNetwork& network, const PairsToDraw& pairs,
-                          const DecodedObject& drawn, const ConceptTrainingOptions& options,
-                          ConceptLosses& losses) {
-  const auto reconstruction = 2 * reconstructionLoss(drawn, pairs.truth, options.foreground_weight);
-  const auto misplacement =
-      torch::smooth_l1_loss(network->locate(pairs.tokens), pairs.location, 1, 0.05);
-  losses.reconstruction = reconstruction.item<double>();
-  losses.location = misplacement.item<double>();
-  return options.reconstruction_weight * reconstruction + misplacement;
+/// Smooth absolute error of where the crops lie, as their tokens tell.
+torch::Tensor locationLoss(ConceptNetwork& network, const PairsToDraw& pairs) {
+  return torch::smooth_l1_loss(network->locate(pairs.tokens), pairs.location, 1, 0.05);
+}
+
+ConceptLosses lossesOf(const ConceptTerms& terms) {
+  ConceptLosses losses;
+  losses.disentangling = terms.disentangling.item<double>();
+  losses.pair = terms.pair.item<double>();
+  losses.use = terms.use.item<double>();
+  losses.confidence = terms.confidence.item<double>();
+  losses.reconstruction = terms.reconstruction.item<double>();
+  losses.direct = terms.direct.item<double>();
+  losses.location = terms.location.item<double>();
+  return losses;
 }
 
 /// Which run a checkpoint is of: every option and a checksum of the images.
@@ -91,6 +96,7 @@ CheckpointIdentity identityOf(const ConceptImages& images, const ConceptTraining
   identity.add("stage", std::string("concepts"));
   identity.add("seed", options.seed);
   identity.add("images", hexadecimal(images.checksum()));
+  identity.add("start_from", options.start_from);
   identity.add("encoder", std::string(name(options.encoder)));
   identity.add("encoder_steps", options.encoder_steps);
   identity.add("sharpening_steps", options.sharpening_steps);
@@ -139,24 +145,6 @@ std::vector<torch::optim::OptimizerParamGroup> parameterGroups(const ConceptNetw
 }
 
 }  // namespace
-
-ConceptTrainingOptions paperConceptTraining() {
-  ConceptTrainingOptions options;
-  options.encoder = EncoderKind::kFullFrame;
-  options.chains = 8;
-  options.reconstruction_start = 0;
-  options.sharpening_steps = 0;
-  options.drawer_steps = 0;
-  options.learning_rate = 3e-4;
-  options.tokenizer_rate_share = 1.0 / 30;
-  options.reconstruction_weight = 1;
-  options.pair_weight = 0;
-  options.use_weight = 0;
-  options.confidence_weight = 0;
-  options.foreground_weight = 1;
-  options.augmentation = kNoAugmentation;
-  return options;
-}
 
 ConceptTrainer::ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options)
     : ConceptTrainer(images, options, GeneratorGuard(options.seed)) {}
@@ -212,41 +200,31 @@ ConceptLosses ConceptTrainer::tokenStep(std::mt19937_64& generator, double progr
   const ReadImages read = readBatch(network_, batch.images);
   const torch::Tensor& tokens = read.tokens;
 
-  ConceptLosses losses;
-  const auto disentangling = conceptDisentanglingLoss(
+  ConceptTerms terms;
+  terms.disentangling = conceptDisentanglingLoss(
       tokens.index({batch.pairs.first}), tokens.index({batch.pairs.second}), batch.pairs.differing);
-  auto pair = torch::zeros({});
-  auto use = torch::zeros({});
-  auto confidence = torch::zeros({});
   for (const Concept which : kConcepts) {
     const auto log_values = torch::log_softmax(network_->prototypeLogits(tokens, which), -1);
     const auto values = log_values.exp();
-    pair = pair + pairLikelihoodLoss(log_values.view({options_.chains, kChainImages, -1}),
-                                     batch.changed[index(which)]);
-    use = use + prototypeUseLoss(values);
-    confidence = confidence + prototypeEntropy(values);
+    terms.pair =
+        terms.pair + pairLikelihoodLoss(log_values.view({options_.chains, kChainImages, -1}),
+                                        batch.changed[index(which)]);
+    terms.use = terms.use + prototypeUseLoss(values);
+    terms.confidence = terms.confidence + prototypeEntropy(values);
   }
-  losses.disentangling = disentangling.item<double>();
-  losses.pair = pair.item<double>();
-  losses.use = use.item<double>();
-  losses.confidence = confidence.item<double>();
-  auto total = options_.disentangling_weight * disentangling + options_.pair_weight * pair +
-               options_.use_weight * use;
-  if (sharpening) total = total + options_.confidence_weight * confidence;
   const bool drawing = !sharpening && progress >= options_.reconstruction_start;
   if (drawing && batch.pairs.first.size(0) > 0) {
     const PairsToDraw pairs =
         choosePairs(batch.pairs, read, options_.reconstructed_pairs, generator);
     const DecodedObject drawn = network_->decode(network_->detokenize(pairs.tokens));
-    const auto direct = reconstructionLoss(network_->decode(read.z.index({pairs.first})),
-                                           pairs.truth.slice(0, 0, pairs.first.size(0)),
-                                           options_.foreground_weight);
-    losses.direct = direct.item<double>();
-    total = total + drawingLoss(network_, pairs, drawn, options_, losses) +
-            options_.reconstruction_weight * direct;
+    terms.direct = reconstructionLoss(network_->decode(read.z.index({pairs.first})),
+                                      pairs.truth.slice(0, 0, pairs.first.size(0)),
+                                      options_.foreground_weight);
+    terms.reconstruction = pairReconstructionLoss(drawn, pairs.truth, options_.foreground_weight);
+    terms.location = locationLoss(network_, pairs);
   }
-  descend(total, progress, 1);
-  return losses;
+  descend(conceptLoss(terms, options_, sharpening), progress, 1);
+  return lossesOf(terms);
 }
 
 void ConceptTrainer::revivePrototypes(std::mt19937_64& generator) {
@@ -289,9 +267,14 @@ ConceptLosses ConceptTrainer::drawerStep(std::mt19937_64& generator, double prog
         network_->drawer()->forward(pairs.tokens, settled ? boxes : true_boxes);
     const auto sharpness = absoluteColorLoss(drawn, pairs.truth, options_.foreground_weight);
     const auto misplacement = torch::smooth_l1_loss(boxes, true_boxes, 1, 0.05);
+    const auto reconstruction =
+        pairReconstructionLoss(drawn, pairs.truth, options_.foreground_weight);
+    const auto location = locationLoss(network_, pairs);
     losses.sharpness = sharpness.item<double>();
     losses.box = misplacement.item<double>();
-    total = drawingLoss(network_, pairs, drawn, options_, losses) +
+    losses.reconstruction = reconstruction.item<double>();
+    losses.location = location.item<double>();
+    total = options_.reconstruction_weight * reconstruction + location +
             options_.sharpness_weight * sharpness + misplacement;
     if (settled) {
       const auto reading = readingLoss(network_, drawn, pairs.location, pairs.tokens);

@@ -42,8 +42,8 @@ torch::Tensor actionTensor(const std::vector<Action>& actions) {
   return torch::tensor(numbers);
 }
 
-/// A checksum of all pictures and actions. Tokens are left out: with another number of threads they
-/// are read with other rounding.
+/// A checksum of all pictures and actions. Tokens are left out: they follow from these, the source
+/// and the number of threads.
 std::uint32_t checksum(const std::vector<TaskSequence>& sequences) {
   std::string parts;
   for (const TaskSequence& sequence : sequences) {
@@ -118,7 +118,7 @@ VictLosses VictTrainer::transitionStep(std::mt19937_64& generator) {
   transition_optimizer_.zero_grad();
   const auto predicted =
       transition_->forward(toTensor(before), toTensor(context), actionTensor(actions));
-  const auto loss = torch::mse_loss(predicted, toTensor(after));
+  const auto loss = tokenLoss(predicted, toTensor(after));
   loss.backward();
   transition_optimizer_.step();
   return {loss.item<double>(), 0, 0};
@@ -179,20 +179,12 @@ VictLosses VictTrainer::synthesisStep(std::mt19937_64& generator) {
   synthesis_optimizer_.zero_grad();
   const auto frames = synthesizer_->forward(planes.slice(1, 0, 3), planes.slice(1, 3, 4),
                                             planes.slice(1, 4, 7), planes.slice(1, 7, 8));
-  const auto error = (frames - truth).square();
-  // The absolute error beside the paper's squared one keeps edges sharp.
-  const auto loss = 10 * error.mean() + torch::l1_loss(frames, truth);
-  loss.backward();
+  synthesisLoss(frames, truth).backward();
   torch::nn::utils::clip_grad_norm_(synthesizer_->parameters(), 1.0);
   synthesis_optimizer_.step();
   updateAverage(*average_, *synthesizer_, options_.averaging,
                 steps_done_ - options_.transition_steps);
-  const auto per_window = error.mean({1, 2, 3}, /*keepdim=*/true);
-  const double reconstructed = reconstruction.sum().item<double>();
-  const double predicted = static_cast<double>(options_.synthesis_batch) - reconstructed;
-  return {
-      0, predicted > 0 ? (per_window * (1 - reconstruction)).sum().item<double>() / predicted : 0,
-      reconstructed > 0 ? (per_window * reconstruction).sum().item<double>() / reconstructed : 0};
+  return synthesisErrors(frames, truth, reconstruction);
 }
 
 void VictTrainer::setLearningRate(torch::optim::AdamW& optimizer, double progress) const {

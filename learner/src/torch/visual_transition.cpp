@@ -55,7 +55,7 @@ class FrameDrawing {
     check();
     seen_ = hiddenBehind(input.object, objectsDepth_mm(frame), frame.width);
     const auto old_place = middleOf(background_.hole, frame.width);
-    const WindowCorner crop = cropCorner(seen_);
+    const WindowCorner crop = cropCorner(seen_.location);
     const double half = DrawnObject::kEdge / 2.0;
     corners_ = {windowAround(old_place[0], old_place[1], frame.width, frame.height),
                 windowAround(crop.left + half, crop.top + half, frame.width, frame.height)};

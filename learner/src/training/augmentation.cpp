@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kEdge = EncoderInput::kEdge;
 constexpr int kPixels = EncoderInput::kPixels;
-constexpr int kDepthPlane = 3;
-constexpr int kMaskPlane = 4;
+constexpr int kDepthPlane = EncoderInput::kDepthPlane;
+constexpr int kMaskPlane = EncoderInput::kMaskPlane;
 constexpr double kLeastVisible = 0.4;
 
 double uniform(std::mt19937_64& generator, double low, double high) {

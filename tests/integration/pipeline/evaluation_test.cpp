@@ -40,7 +40,7 @@ TEST(Evaluate, GivesARowForEachPlannerAndLevelAtAnyNumberOfJobs) {
   }
   EXPECT_EQ(rows[0].planner, "belief");
   EXPECT_EQ(rows[1].level, 3);
-  EXPECT_GE(rows[0].asacc_top1, 50);  // level 1, with a trained model
+  for (const EvaluationRow& row : rows) EXPECT_EQ(row.asacc_top1, 100) << row.planner << row.level;
 
   options.jobs = 2;
   const auto again = evaluate(tasks, model, PlannerRegistry::standard(), options);
@@ -70,7 +70,7 @@ TEST(Evaluate, TellsHowManyObjectsFitNoSymbol) {
   EXPECT_LE(told, 1U);
   const auto rows = count(ObjectSet::kUnseen);
   EXPECT_EQ(rows[0].unseen_types.objects, 4U);  // the targets alone
-  EXPECT_GE(rows[0].unseen_types.told + rows[1].unseen_types.told, 2U);
+  EXPECT_GE(rows[0].unseen_types.told + rows[1].unseen_types.told, 5U);
   EXPECT_GE(rows[1].seen_types.objects, 4U);  // the dyers
   EXPECT_LE(rows[1].seen_types.told, 1U);
 }

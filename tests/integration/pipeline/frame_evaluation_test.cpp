@@ -2,8 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
+#include "conceptplan/domain/files/rgbd_image_file.hpp"
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/pipeline/generation.hpp"
+#include "domain/dataset/reseal.hpp"
 #include "integration/pipeline/temporary_folder.hpp"
 
 namespace conceptplan {
@@ -30,10 +34,10 @@ TEST(EvaluateFrames, PredictedFramesLookAndReadAsTheyShouldAtAnyNumberOfJobs) {
   std::size_t steps = 0, reference = 0;
   for (const FrameEvaluationRow& row : rows) {
     EXPECT_EQ(row.set, "validation/seen/standard");
-    EXPECT_GT(row.psnr_db, 25);
-    EXPECT_GT(row.ssim, 0.9);
+    EXPECT_GE(row.psnr_db, 29);
+    EXPECT_GE(row.ssim, 0.93);
     EXPECT_LT(row.ssim, 1);
-    EXPECT_GE(row.read_back, 50);
+    EXPECT_GE(row.read_back, 95);
     EXPECT_LE(row.read_back, 100);
     steps += row.steps;
   }
@@ -50,12 +54,31 @@ TEST(EvaluateFrames, PredictedFramesLookAndReadAsTheyShouldAtAnyNumberOfJobs) {
   }
 }
 
+TEST(EvaluateFrames, CountsTasksWithoutAPlan) {
+  const TemporaryFolder folder;
+  const auto root = folder.path() / "tasks";
+  const Task task = smallSet(root, Frames::kAll).tasks().front();
+  const auto goal = static_cast<int>(task.reference.size());
+  RgbdImage empty = TaskDataset(root).frame(task, goal);
+  std::ranges::fill(empty.mask, std::uint8_t{0});
+  writeRgbdImage(root / "images" / task.id / ("0" + std::to_string(goal)), empty);
+  resealDataset(root);
+  const Model model(CONCEPTPLAN_SHIPPED_MODEL);
+  const auto rows = evaluateFrames(TaskDataset(root), model, {});
+  EXPECT_EQ(rows[0].unplanned, 1U);
+  EXPECT_GT(rows[0].planned_steps, 0U);
+  EXPECT_EQ(rows[1].unplanned, 0U);
+}
+
 TEST(EvaluateFrames, RefusesASetWithoutThePicturesOfAllSteps) {
   const TemporaryFolder folder;
   const TaskDataset tasks = smallSet(folder.path() / "tasks", Frames::kEnds);
   const Model model(CONCEPTPLAN_SHIPPED_MODEL);
   EXPECT_THAT([&] { evaluateFrames(tasks, model, {}); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("all steps")));
+  EXPECT_THAT([&] { requireAllFrames(tasks); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("all steps")));
+  EXPECT_NO_THROW(requireAllFrames(smallSet(folder.path() / "all", Frames::kAll)));
 }
 
 }  // namespace

@@ -104,7 +104,9 @@ TEST(Model, DrawsManyPlansAsEachAlone) {
     ASSERT_EQ(drawn[i].size(), query.plan.actions.size());
     ASSERT_EQ(alone.size(), drawn[i].size());
     for (std::size_t step = 0; step < alone.size(); ++step) {
-      EXPECT_EQ(drawn[i][step].rgb, alone[step].rgb) << i << ", " << step;
+      // Other numbers of pictures at once are summed up in another order.
+      for (std::size_t k = 0; k < alone[step].rgb.size(); ++k)
+        ASSERT_NEAR(drawn[i][step].rgb[k], alone[step].rgb[k], 1) << i << ", " << step;
       EXPECT_EQ(drawn[i][step].mask, alone[step].mask) << i << ", " << step;
     }
   }

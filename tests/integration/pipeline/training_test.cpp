@@ -38,6 +38,7 @@ class TrainedModel : public testing::Test {
     std::filesystem::create_directories(root_);
     TrainingControl control;
     control.progress = [](const TrainingProgress& progress) { reports_.push_back(progress); };
+    control.warning = [](const std::string& text) { warnings_.push_back(text); };
     done_ = train(kAll, smokeOptions(root_, "whole"), control);
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(root_); }
@@ -47,6 +48,7 @@ class TrainedModel : public testing::Test {
   static inline std::filesystem::path root_;
   static inline bool done_ = false;
   static inline std::vector<TrainingProgress> reports_;
+  static inline std::vector<std::string> warnings_;
 };
 
 TEST_F(TrainedModel, LearnedFromNoPlanThatIsHeldOut) {
@@ -138,6 +140,7 @@ TEST_F(TrainedModel, RefusesDataOfOtherOptions) {
   TaskDatasetWriter(folder.path() / "data" / "tasks-train", tasks).finish();
   TrainingOptions transitions = smokeOptions(folder.path(), "");
   transitions.model = root_ / "whole";
+  transitions.anew = true;
   EXPECT_THAT(
       [&] { train({TrainingStage::kCountTransitions}, transitions, {}); },
       testing::ThrowsMessage<InputError>(testing::AllOf(
@@ -146,7 +149,18 @@ TEST_F(TrainedModel, RefusesDataOfOtherOptions) {
   EXPECT_TRUE(readModelManifest(root_ / "whole").has(TrainingStage::kTrainVict));
 }
 
-TEST_F(TrainedModel, RefusesModelsOfAnotherSeed) {
+TEST_F(TrainedModel, WarnedOfSymbolsThatMayBeMergedOrSplitValues) {
+  const ModelManifest manifest = readModelManifest(root_ / "whole");
+  std::vector<testing::Matcher<std::string>> expected;
+  for (const Concept which : kConcepts)
+    if (manifest.measures.at("train/suspicious_clusters/" + std::string(name(which))) > 0)
+      expected.push_back(testing::MatchesRegex("symbols of " + std::string(name(which)) +
+                                               " may be merged or split values: cluster.*"));
+  EXPECT_FALSE(expected.empty());  // it has learned next to nothing
+  EXPECT_THAT(warnings_, testing::ElementsAreArray(expected));
+}
+
+TEST_F(TrainedModel, RefusesModelsOfAnotherSeedOrProfile) {
   TrainingOptions other = smokeOptions(root_, "whole");
   other.data = root_ / "other-data";
   other.resume = true;
@@ -154,12 +168,103 @@ TEST_F(TrainedModel, RefusesModelsOfAnotherSeed) {
   EXPECT_THAT([&] { train(kAll, other, {}); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr(
                   "manifest.json: seed: expected 2, found 1; go on with --seed 1")));
+  other.seed = 1;
+  other.profile = "cpu";
+  EXPECT_THAT(
+      [&] { train(kAll, other, {}); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr(
+          "manifest.json: profile: expected cpu, found smoke; go on with --profile smoke")));
+}
+
+TEST_F(TrainedModel, RefusesToGoOnWithAnotherNumberOfThreads) {
+  const TemporaryFolder folder;
+  TrainingOptions options = smokeOptions(root_, "whole");
+  options.model = folder.path();
+  options.resume = true;
+  std::atomic<bool> cancel{false};
+  TrainingControl control;
+  control.cancel = &cancel;
+  control.progress = [&](const TrainingProgress& progress) {
+    if (progress.stage == "concepts") cancel = true;
+  };
+  EXPECT_FALSE(train(kAll, options, control));
+  options.jobs = 2;
+  EXPECT_THAT([&] { train(kAll, options, {}); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                  "concepts.checkpoint: threads: this run has 2, the checkpoint is of 1; go on "
+                  "with --jobs 1")));
+  options.jobs = 1;
+  options.start_from = root_ / "whole";
+  EXPECT_THAT([&] { train(kAll, options, {}); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("concepts.checkpoint: start_from: this run has ")));
+}
+
+TEST_F(TrainedModel, RefusesDataThatAreADatasetThemselves) {
+  TrainingOptions options = smokeOptions(root_, "other");
+  options.data /= "tasks-train";
+  EXPECT_THAT([&] { train(kAll, options, {}); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("tasks-train: is a dataset; expected a folder of datasets")));
+  EXPECT_FALSE(std::filesystem::exists(options.data / "concepts-train"));
+}
+
+TEST_F(TrainedModel, RefusesToUndoWhatIsFinishedOrBegunUnlessAsked) {
+  TrainingOptions options = smokeOptions(root_, "whole");
+  const auto refused = [&](const std::vector<TrainingStage>& stages) {
+    EXPECT_THAT([&] { train(stages, options, {}); },
+                testing::ThrowsMessage<InputError>(
+                    testing::HasSubstr("finished or begun; go on with --resume, or begin again "
+                                       "with --anew")));
+  };
+  const std::string manifest = readFile(options.model / "manifest.json");
+  refused(kAll);
+  refused({TrainingStage::kLearnConcepts});
+  refused({TrainingStage::kTrainVict});
+  EXPECT_EQ(readFile(options.model / "manifest.json"), manifest);
+
+  const TemporaryFolder folder;
+  options.model = folder.path();
+  const auto checkpoint = folder.path() / "concepts.checkpoint";
+  writeFileAtomically(checkpoint, "of hours of work");
+  refused(kAll);
+  EXPECT_EQ(readFile(checkpoint), "of hours of work");
+
+  options.anew = options.resume = true;
+  EXPECT_THROW(train(kAll, options, {}), std::invalid_argument);
+}
+
+TEST_F(TrainedModel, NamesTheStageThatMakesALostFileAgain) {
+  const TemporaryFolder folder;
+  TrainingOptions options = smokeOptions(root_, "whole");
+  options.model = folder.path() / "model";
+  std::filesystem::copy(root_ / "whole", options.model);
+  std::filesystem::remove(options.model / kVictFile);
+  options.resume = true;
+  EXPECT_THAT([&] { train(kAll, options, {}); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("; bring it back, or train stage vict again, with --anew")));
+  options.resume = false;
+  options.anew = true;
+  EXPECT_TRUE(train({TrainingStage::kTrainVict}, options, {}));
+  EXPECT_EQ(readFile(options.model / kVictFile), readFile(root_ / "whole" / kVictFile));
+}
+
+TEST_F(TrainedModel, LearnsWithThePapersNetworksToo) {
+  TrainingOptions options = smokeOptions(root_, "paper");
+  options.profile = "smoke-paper";
+  EXPECT_TRUE(train(kAll, options, {}));
+  const Model model(options.model);
+  EXPECT_EQ(model.manifest().encoder, EncoderKind::kFullFrame);
+  const TaskDataset tasks(root_ / "data" / "tasks-train");
+  EXPECT_FALSE(model.perceive(tasks.frame(tasks.tasks().front(), 0)).tokens.empty());
 }
 
 TEST_F(TrainedModel, TrainedAnewItIsNotFinishedUntilItIs) {
   const TemporaryFolder folder;
   TrainingOptions options = smokeOptions(root_, "whole");
   options.model = folder.path() / "model";
+  options.anew = true;
   std::filesystem::copy(root_ / "whole", options.model);
   for (const TrainingStage stage :
        {TrainingStage::kTrainVict, TrainingStage::kMakeSymbols, TrainingStage::kLearnConcepts}) {
@@ -180,6 +285,7 @@ TEST_F(TrainedModel, TrainedAnewItIsNotFinishedUntilItIs) {
       EXPECT_NE(readFile(checkpoint), "of an earlier training");
     }
   }
+  options.anew = false;
   options.resume = true;
   EXPECT_TRUE(train(kAll, options, {}));
   for (const char* file : {kConceptsFile, kSymbolsFile, kTransitionsFile, kVictFile})
@@ -188,6 +294,7 @@ TEST_F(TrainedModel, TrainedAnewItIsNotFinishedUntilItIs) {
 
 TEST_F(TrainedModel, AWrongCallLeavesItAsItWas) {
   TrainingOptions options = smokeOptions(root_, "whole");
+  options.anew = true;
   const std::string manifest = readFile(options.model / "manifest.json");
   options.start_from = root_ / "nowhere";
   EXPECT_THROW(train(kAll, options, {}), InputError);

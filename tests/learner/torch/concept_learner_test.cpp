@@ -110,7 +110,7 @@ TEST(ConceptLearner, NeverGivesNumbersThatAreNotFinite) {
     for (float& weight : changed["concepts.locator.2.bias"].values) weight = -3e38F;
     const std::vector<DrawnObject> drawn = ConceptLearner(changed, encoder, "m").draw(tokens);
     EXPECT_THAT(drawn[0].location, testing::Each(-100.0F));
-    EXPECT_EQ(cropCorner(drawn[0]).left, -19040);
+    EXPECT_EQ(cropCorner(drawn[0].location).left, -19040);
   }
 }
 

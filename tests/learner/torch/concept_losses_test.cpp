@@ -20,6 +20,20 @@ TEST(ReconstructionLoss, Eq1IsTheWeightedSquaredErrorWithDepthAndTheMasksCrossEn
   EXPECT_NEAR(reconstructionLoss({drawn, logits, depth}, planes, 3).item<double>(), expected, 1e-5);
 }
 
+TEST(PairReconstructionLoss, Eq1AddsTheErrorOfTheSubstitutedPictureToThatOfTheFirst) {
+  const auto planes = torch::zeros({2, 5, 8, 8});
+  auto rgb = torch::zeros({2, 3, 8, 8});
+  rgb[0].fill_(0.5);  // drawn from its own tokens
+  rgb[1].fill_(0.2);  // drawn after one was substituted
+  rgb.set_requires_grad(true);
+  const auto no_mask = torch::full({2, 1, 8, 8}, -100.0), no_depth = torch::zeros({2, 1, 8, 8});
+  const auto loss = pairReconstructionLoss({rgb, no_mask, no_depth}, planes, 1);
+  EXPECT_NEAR(loss.item<double>(), 0.5 * 0.5 + 0.2 * 0.2, 1e-6);
+  loss.backward();
+  EXPECT_NEAR(rgb.grad()[0].sum().item<double>(), 2 * 0.5, 1e-5);
+  EXPECT_NEAR(rgb.grad()[1].sum().item<double>(), 2 * 0.2, 1e-5);
+}
+
 TEST(AbsoluteColorLoss, IsTheMeanOfAbsoluteErrorsWithTheObjectsPixelsWeighted) {
   auto planes = torch::zeros({1, 5, 64, 64});
   planes.slice(1, 4, 5).slice(2, 0, 32).fill_(1);  // the upper half is the object
@@ -83,6 +97,51 @@ TEST(PrototypeUseLoss, IsZeroForEvenUseAndLogNForOnePrototype) {
 TEST(PrototypeEntropy, IsZeroForOneHotAndLogNForEvenValues) {
   EXPECT_NEAR(prototypeEntropy(torch::full({5, 4}, 0.25)).item<double>(), std::log(4.0), 1e-5);
   EXPECT_NEAR(prototypeEntropy(torch::eye(4)).item<double>(), 0, 1e-5);
+}
+
+/// Terms of known values that have gradients.
+ConceptTerms sampleTerms() {
+  const auto term = [](double value) { return torch::tensor(value, torch::requires_grad()); };
+  ConceptTerms terms;
+  terms.disentangling = term(1);
+  terms.reconstruction = term(2);
+  terms.direct = term(3);
+  terms.location = term(5);
+  terms.pair = term(7);
+  terms.use = term(11);
+  terms.confidence = term(13);
+  return terms;
+}
+
+TEST(ConceptLoss, Eq3IsTheWeightedSumOfDisentanglingReconstructionAndDirectBranch) {
+  ConceptTrainingOptions options;
+  options.disentangling_weight = 2;
+  options.reconstruction_weight = 10;
+  options.pair_weight = 0.5;
+  options.use_weight = 4;
+  options.confidence_weight = 3;
+  const ConceptTerms terms = sampleTerms();
+  const auto loss = conceptLoss(terms, options, /*sharpening=*/false);
+  EXPECT_NEAR(loss.item<double>(), 2 * 1 + 10 * (2 + 3) + 5 + 0.5 * 7 + 4 * 11, 1e-4);
+  loss.backward();
+  EXPECT_EQ(terms.disentangling.grad().item<double>(), 2);
+  EXPECT_EQ(terms.reconstruction.grad().item<double>(), 10);
+  EXPECT_EQ(terms.direct.grad().item<double>(), 10);
+  EXPECT_EQ(terms.location.grad().item<double>(), 1);
+  EXPECT_EQ(terms.pair.grad().item<double>(), 0.5);
+  EXPECT_EQ(terms.use.grad().item<double>(), 4);
+  EXPECT_FALSE(terms.confidence.grad().defined());
+
+  const ConceptTerms sharpened = sampleTerms();
+  const auto more = conceptLoss(sharpened, options, /*sharpening=*/true);
+  EXPECT_NEAR((more - loss).item<double>(), 3 * 13, 1e-4);
+  more.backward();
+  EXPECT_EQ(sharpened.confidence.grad().item<double>(), 3);
+}
+
+TEST(ConceptLoss, Eq3OfThePapersProfileIsThePapersTermsAloneAndThePlace) {
+  EXPECT_NEAR(conceptLoss(sampleTerms(), paperConceptTraining(), false).item<double>(),
+              1 + 2 + 3 + 5, 1e-5);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "conceptplan/learner/torch/concept_trainer.hpp"
 
+#include <ATen/Parallel.h>
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -47,6 +48,28 @@ TEST(ConceptTrainer, Eq3FallsOnOneBatch) {
   double after = 0;
   while (trainer.stepsDone() < options.encoder_steps) after = total(trainer.step());
   EXPECT_LT(after, 0.4 * before);
+}
+
+/// What draws and locates from tokens is cut off, and nothing else asks for them: the one way to
+/// the encoder is that from Z straight to the decoder.
+TEST(ConceptTrainer, Eq3TheDirectBranchTeachesTheEncoderByItself) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.reconstruction_start = 0;
+  options.disentangling_weight = options.pair_weight = options.use_weight = 0;
+  ConceptTrainer trainer(images, options);
+  NamedTensors before = tensorsOf(*trainer.averaged(), "concepts.");
+  for (const char* cut : {"concepts.detokenizer.0.weight", "concepts.locator.0.weight"})
+    for (float& weight : before.at(cut).values) weight = 0;
+  trainer.startFrom(before, "");
+  const ConceptLosses losses = trainer.step();
+  EXPECT_GT(losses.direct, 0);
+  EXPECT_GT(losses.reconstruction, 0);
+  const NamedTensors after = tensorsOf(*trainer.averaged(), "concepts.");
+  EXPECT_EQ(after.at("concepts.to_tokens.weight").values,
+            before.at("concepts.to_tokens.weight").values);
+  EXPECT_NE(after.at("concepts.encoder.0.weight").values,
+            before.at("concepts.encoder.0.weight").values);
 }
 
 TEST(ConceptTrainer, TheDecoderJoinsWhenItShould) {
@@ -197,10 +220,29 @@ TEST(ConceptTrainer, RefusesACheckpointOfAnotherSeedOtherOptionsOrImages) {
                                "0.0015"),
                      HasSubstr("augmentation.gain: this run has 0.5"), Not(HasSubstr("seed"))));
 
+  options = smallOptions();
+  options.start_from = "01234567";
+  ConceptTrainer begun(images, options);
+  EXPECT_THAT(faultsOfRestoring(begun, checkpoint),
+              HasSubstr("start_from: this run has 01234567, the checkpoint is of none; remove it"));
+
   ConceptImages more = twoConcepts();
   more.add(encoderInput(coloredBlob(3)), {0, 0, 0, 0, 2, 0});
   ConceptTrainer elsewhere(more, smallOptions());
   EXPECT_THAT(faultsOfRestoring(elsewhere, checkpoint), HasSubstr("images: this run has "));
+}
+
+TEST(ConceptTrainer, RefusesACheckpointOfAnotherNumberOfThreads) {
+  const ConceptImages images = twoConcepts();
+  const int threads = at::get_num_threads();
+  at::set_num_threads(3);
+  const std::string checkpoint = ConceptTrainer(images, smallOptions()).checkpoint();
+  at::set_num_threads(2);
+  ConceptTrainer trainer(images, smallOptions());
+  at::set_num_threads(threads);
+  EXPECT_THAT(faultsOfRestoring(trainer, checkpoint),
+              testing::HasSubstr("m/concepts.checkpoint: threads: this run has 2, the checkpoint "
+                                 "is of 3; go on with --jobs 3"));
 }
 
 TEST(ConceptTrainer, RefusesACheckpointThatDoesNotSayOfWhichRunItIs) {

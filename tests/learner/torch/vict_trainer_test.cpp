@@ -1,11 +1,13 @@
 #include "conceptplan/learner/torch/vict_trainer.hpp"
 
+#include <ATen/Parallel.h>
 #include <gmock/gmock.h>
 
 #include "conceptplan/domain/input_error.hpp"
 #include "conceptplan/learner/torch/concept_network.hpp"
 #include "conceptplan/learner/torch/module_tensors.hpp"
 #include "conceptplan/learner/visual_transition.hpp"
+#include "learner/square_frame.hpp"
 
 namespace conceptplan {
 namespace {
@@ -15,25 +17,11 @@ ConceptLearner freshLearner() {
   return {tensorsOf(*ConceptNetwork(), "concepts."), EncoderKind::kObjectCentred, "m"};
 }
 
-/// A grey frame with a dark square, which stands for the object.
 SequenceFrame frame(int left, float token) {
-  SequenceFrame result;
-  result.rgb.assign(3 * kFrameWidth * kFrameHeight, 160);
-  result.floor_rgb = result.rgb;
-  result.hole.assign(kFrameWidth * kFrameHeight, 0);
-  result.others_mm.assign(kFrameWidth * kFrameHeight, 0);
-  for (int y = 100; y < 130; ++y)
-    for (int x = left; x < left + 30; ++x) {
-      const auto pixel = static_cast<std::size_t>(y * kFrameWidth + x);
-      result.hole[pixel] = 1;
-      for (std::size_t c = 0; c < 3; ++c) result.rgb[3 * pixel + c] = 40;
-    }
-  result.x_px = left + 15;
-  result.y_px = 115;
-  result.tokens = Tokens::Zero();
-  result.tokens.col(0).setConstant(token);
-  result.tokens.col(1).setConstant(8);
-  return result;
+  Tokens tokens = Tokens::Zero();
+  tokens.col(0).setConstant(token);
+  tokens.col(1).setConstant(8);
+  return squareFrame(left, tokens);
 }
 
 std::vector<TaskSequence> sequences() {
@@ -118,6 +106,12 @@ TEST(VictTrainer, RefusesACheckpointOfAnotherRun) {
   data = sequences();
   data[1].actions[0] = Action::kMoveFront;
   expectFault("pictures: this run has ");
+  data = sequences();
+  const int threads = at::get_num_threads();
+  at::set_num_threads(threads + 1);
+  expectFault("threads: this run has " + std::to_string(threads + 1) + ", the checkpoint is of " +
+              std::to_string(threads) + "; go on with --jobs " + std::to_string(threads));
+  at::set_num_threads(threads);
 }
 
 TEST(VictTrainer, LeavesTorchsDefaultGeneratorAsItWas) {

@@ -15,6 +15,8 @@ struct EncoderInput {
   static constexpr int kEdge = ObjectCrop::kEdge;
   static constexpr int kPixels = kEdge * kEdge;
   static constexpr int kChannels = 5;  ///< red, green, blue, relative depth, mask
+  static constexpr int kDepthPlane = 3;
+  static constexpr int kMaskPlane = 4;
 
   /// [5, 64, 64]. Depth is relative to the object's median, 1 mm a level, 128 at the median,
   /// clipped; 0 outside the mask. The mask is 0 or 255.

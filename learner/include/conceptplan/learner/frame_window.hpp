@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,9 +30,9 @@ struct WindowCorner {
 /// pixel's coordinates are not finite.
 WindowCorner windowAround(double x, double y, int width, int height);
 
-/// Corner of the crop in which a drawn object lies, in pixels of the frame; at most a million off.
-/// @throws std::invalid_argument if the object's location is not finite.
-WindowCorner cropCorner(const DrawnObject& object);
+/// Corner of the crop of an object at that location, seen or drawn, in pixels of the frame; at most
+/// a million off. @throws std::invalid_argument if the location is not finite.
+WindowCorner cropCorner(const std::array<float, 3>& location);
 
 /// The window of a frame: the floor, where the hole was, and the object that comes over it.
 /// rgb [height, width, 3] and hole [height, width] as of `Background`.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "conceptplan/domain/model/symbol_grounding.hpp"
+#include "conceptplan/learner/picture_residual.hpp"
 #include "conceptplan/learner/symbolizer.hpp"
 #include "conceptplan/learner/tensor_file.hpp"
 
@@ -16,6 +17,8 @@ struct LearnedSymbols {
   SymbolGrounding grounding;  ///< its names follow from `values`
   /// The value that most validation objects of each symbol show; for people and for measures only.
   std::array<std::vector<int>, kNumConcepts> values;
+  /// What pictures of learned objects hardly ever exceed; see `pictureResidual`.
+  PictureResidual most_residual;
 };
 
 /// The names of symbols that stand for those values, e.g. "Cup", "red", "90 degrees".

@@ -51,16 +51,29 @@ Eigen::VectorXd squaredDistances(const SymbolClusters& clusters,
 /// @throws std::invalid_argument if there are no rows or sizes differ.
 double fitTemperature(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right);
 
-/// The reach within which that share of the rows have their nearest symbol. distances [N, symbols],
-/// squared. @throws std::invalid_argument if there are no rows.
-double fitReach(const Eigen::MatrixXd& distances, double share);
+/// The value at that share, in [0, 1], of the way from the least to the greatest, in order; of two
+/// the greater. @throws std::invalid_argument if there are none.
+double quantile(Eigen::VectorXd values, double share);
 
 /// Expected calibration error over ten bins of confidence, in [0, 1].
 /// Source: Guo et al., ICML 2017. Arguments as `fitTemperature`.
 double calibrationError(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,
                         double temperature);
 
-/// The same from the probability of each answer given, and whether it was right.
+/// What validation says of a concept's clusters.
+struct Calibration {
+  double temperature = 1;
+  double reach = 0;
+  double error = 0;  ///< expected calibration error
+};
+
+/// Fits the temperature on the rows of even number, and takes the error on those of odd number,
+/// which it has not seen; the reach holds a share of the nearest distances of all. Arguments as
+/// `fitTemperature`. @throws std::invalid_argument for less than two rows, or if sizes differ.
+Calibration calibrate(const Eigen::MatrixXd& distances, const std::vector<SymbolId>& right,
+                      double share);
+
+/// Expected calibration error from the probability of each answer given, and whether it was right.
 /// @throws std::invalid_argument if there are none or sizes differ.
 double calibrationError(const std::vector<double>& confidence, const std::vector<bool>& right);
 

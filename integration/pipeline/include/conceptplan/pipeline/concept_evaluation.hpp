@@ -26,15 +26,19 @@ struct ConceptEvaluation {
   /// Share of pictures whose nearest symbol stands for the true value.
   std::array<double, kNumConcepts> accuracy{};
   double all_right = 0;      ///< share of pictures with all six right
-  double fit_no_symbol = 0;  ///< share with a token that fits none, see `Symbolizer::fits`
+  double fit_no_symbol = 0;  ///< share that `Symbolizer::fits` or `Model::recognises` denies
   /// Expected calibration error of the symbols' probabilities, see `calibrationError`. A value for
   /// which no symbol stands counts as told wrongly.
   std::array<double, kNumConcepts> calibration_error{};
   DisentanglementScores disentanglement;  ///< of the tokens, see `tokenScores`
 };
 
-/// Reads every picture of the set, which training should not have seen, with one thread.
-/// @throws InputError if a picture is damaged.
+/// The seed of a set decides, as that of a model's training does, which combinations its split has.
+/// @throws InputError if they differ, so that training may have seen what the set holds out.
+void requireSameSplit(const ConceptDataset& data, const Model& model);
+
+/// Reads every picture of the set with one thread.
+/// @throws InputError as `requireSameSplit`, and if a picture is damaged.
 /// @throws std::invalid_argument if the set is too small to measure disentanglement on.
 ConceptEvaluation evaluateConcepts(const ConceptDataset& data, const Model& model,
                                    const ConceptEvaluationOptions& options = {});

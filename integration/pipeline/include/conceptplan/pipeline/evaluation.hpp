@@ -24,8 +24,8 @@ struct EvaluationOptions {
 /// What a set was drawn with, as "test/seen/standard".
 std::string setName(const TaskDatasetOptions& options);
 
-/// Objects in the first pictures of tasks, and how many of them are told to fit no symbol of some
-/// concept, see `Symbolizer::fits`.
+/// Objects in the first pictures of tasks, and how many of them are told to be like none that was
+/// learned, see `Symbolizer::fits` and `Model::recognises`.
 struct ToldObjects {
   std::size_t objects = 0;
   std::size_t told = 0;

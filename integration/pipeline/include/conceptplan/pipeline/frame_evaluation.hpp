@@ -19,12 +19,17 @@ struct FrameEvaluationRow {
       0;  ///< steps of the first plans of `belief`, drawn from the first picture
   double read_back =
       0;  ///< percent of them in whose frame the target reads as all six planned symbols
+  std::size_t unplanned =
+      0;  ///< tasks without such a plan: none was found, or the target is hidden
 };
+
+/// @throws InputError if the set does not hold the pictures of all steps.
+void requireAllFrames(const TaskDataset& tasks);
 
 /// Draws every step of every task. Steps whose target is hidden in a picture are left out.
 /// Of the options, planners and seed are not read.
 /// @returns a row for each level; nothing if cancelled
-/// @throws InputError if the set does not hold the pictures of all steps, or one is damaged.
+/// @throws InputError as `requireAllFrames`, and if a picture is damaged.
 std::vector<FrameEvaluationRow> evaluateFrames(const TaskDataset& tasks, const Model& model,
                                                const EvaluationOptions& options);
 

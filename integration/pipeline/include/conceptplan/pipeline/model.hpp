@@ -39,14 +39,19 @@ struct RenderQuery {
   const Plan& plan;
 };
 
+struct ModelOptions {
+  /// With which the networks of each call compute, >= 1. With one, results do not depend on how
+  /// many there are; with more, calls are faster and the last bits of their results may be others.
+  int threads = 1;
+};
+
 /// A trained model: reads pictures as symbols and draws what plans will look like. Immutable;
-/// threads may share it. Every call computes with one thread, so that results do not depend on how
-/// many there are.
+/// threads may share it.
 class Model {
  public:
   /// Loads a model folder whose training is complete, every file checked.
-  /// @throws InputError with all faults.
-  explicit Model(const std::filesystem::path& folder);
+  /// @throws InputError with all faults, std::invalid_argument if an option is out of range.
+  explicit Model(const std::filesystem::path& folder, const ModelOptions& options = {});
   ~Model();
   Model(Model&&) noexcept;
   Model& operator=(Model&&) noexcept;
@@ -65,6 +70,11 @@ class Model {
   Percept perceive(const RgbdImage& image) const;
   /// The same for many pictures, all their objects encoded together.
   std::vector<Percept> perceive(std::span<const RgbdImage> images) const;
+
+  /// Whether each object looks like what is drawn of its tokens, as pictures of learned objects do;
+  /// else it is like none that was learned, and its symbols are guesses. It takes about as long as
+  /// to perceive. @throws std::invalid_argument if the percept is not of that picture.
+  std::vector<bool> recognises(const RgbdImage& image, const Percept& percept) const;
 
   /// The picture, depth and mask after each step of a plan, as ViCT predicts them, [actions].
   /// Tokens go through the causal transition; one that then reads as another symbol than the plan

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace conceptplan {
 
 /// Version of the model folder's format.
-inline constexpr int kModelFormat = 4;
+inline constexpr int kModelFormat = 5;
 
 /// A stage of training, in the order in which they build on each other.
 enum class TrainingStage { kLearnConcepts, kMakeSymbols, kCountTransitions, kTrainVict };
@@ -19,6 +20,9 @@ inline constexpr int kNumTrainingStages = 4;
 
 /// "concepts", "symbols", "transitions" or "vict".
 std::string_view name(TrainingStage stage);
+
+/// The names of the files that a stage makes.
+std::vector<const char*> filesOf(TrainingStage stage);
 
 /// What a model folder says of itself, in manifest.json.
 struct ModelManifest {
@@ -43,9 +47,11 @@ inline constexpr const char* kVictFile = "vict.safetensors";
 inline constexpr const char* kModelManifestFile = "manifest.json";
 
 /// Reads FOLDER/manifest.json and checks that it and every file that it names is there and
-/// unchanged; for one of an earlier version, which has no checksum of its own, only the files.
+/// unchanged.
+/// @param remade files of that stage and of later ones may be lost or damaged: they are made anew
 /// @throws InputError with all faults.
-ModelManifest readModelManifest(const std::filesystem::path& folder);
+ModelManifest readModelManifest(const std::filesystem::path& folder,
+                                std::optional<TrainingStage> remade = std::nullopt);
 
 /// Writes it atomically, with the checksums of the files as they are now.
 /// @throws InputError, std::runtime_error as `writeFileAtomically`.

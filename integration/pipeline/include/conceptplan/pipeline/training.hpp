@@ -13,7 +13,8 @@ namespace conceptplan {
 
 /// The names of the training profiles: "cpu" is what two cores learn within an hour; "paper" the
 /// paper's networks on whole frames, with its losses and learning rates alone, which two cores
-/// would train for weeks; "smoke" trains nothing useful in seconds, for tests.
+/// would train for weeks; "smoke" trains nothing useful in seconds, for tests, and "smoke-paper"
+/// does so with the paper's networks.
 std::vector<std::string> trainingProfiles();
 
 struct TrainingOptions {
@@ -22,8 +23,9 @@ struct TrainingOptions {
   std::filesystem::path start_from;  ///< model whose concept network is trained on; empty: none
   std::string profile = "cpu";
   std::uint64_t seed = 1;
-  int jobs = 2;         ///< threads for generation and for Torch
+  int jobs = 2;         ///< threads for generation and for Torch, on which the bytes depend
   bool resume = false;  ///< keep finished stages and go on from checkpoints
+  bool anew = false;    ///< undo finished stages and checkpoints of what is trained
 };
 
 /// What training is doing.
@@ -42,18 +44,22 @@ struct TrainingProgress {
 
 struct TrainingControl {
   std::function<void(const TrainingProgress&)> progress;  ///< called now and then
+  std::function<void(const std::string&)> warning;        ///< of what makes the model doubtful
   const std::atomic<bool>* cancel = nullptr;  ///< training ends soon after it turns true
 };
 
 /// Trains the stages in order. Each writes its file and the manifest when it is done; the long ones
 /// write a checkpoint every minute and when cancelled. Losses go to MODEL/training.jsonl. Without
-/// `resume`, the stages and those that build on them are taken out of the model first, and their
-/// checkpoints removed; a wrong call changes nothing.
+/// `resume`, the stages and those that build on them are made from nothing; where some of them are
+/// finished or begun, `anew` must say so, and they are taken out of the model first. A wrong call
+/// changes nothing.
 /// Validation splits choose temperatures and name symbols; test splits are never read.
 /// @returns whether all is done; false if cancelled
 /// @throws InputError for a damaged dataset or model, a dataset made with another seed, size or
-///   combination than the profile and `seed` ask for, a model begun with another seed, a stage
-///   whose predecessors are missing, an unknown profile, or a checkpoint of another run.
+///   combination than the profile and `seed` ask for, data that are a dataset themselves, a model
+///   begun with another seed or profile, one that would be undone without `anew`, a stage whose
+///   predecessors are missing, an unknown profile, or a checkpoint of another run or number of jobs
+/// @throws std::invalid_argument for both `resume` and `anew`
 bool train(const std::vector<TrainingStage>& stages, const TrainingOptions& options,
            const TrainingControl& control);
 

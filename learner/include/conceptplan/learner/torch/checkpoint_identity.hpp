@@ -10,9 +10,12 @@
 namespace conceptplan {
 
 /// Which run a checkpoint is of: all that its steps depend on, by name, e.g. seed, each option and
-/// a checksum of the data.
+/// a checksum of the data. Torch's number of threads is always part of it, as "threads": sums are
+/// rounded differently with another one.
 class CheckpointIdentity {
  public:
+  CheckpointIdentity();
+
   void add(const std::string& name, const std::string& value);
   void add(const std::string& name, std::int64_t value);
   void add(const std::string& name, std::uint64_t value);

@@ -3,6 +3,7 @@
 #include <torch/torch.h>
 
 #include "conceptplan/learner/torch/concept_network.hpp"
+#include "conceptplan/learner/training/concept_training_options.hpp"
 
 namespace conceptplan {
 
@@ -12,6 +13,12 @@ namespace conceptplan {
 /// Source: L_MSE in Eq. (1) of arXiv 2310.03325; weight, depth and mask are ours.
 torch::Tensor reconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
                                  double foreground_weight);
+
+/// Both errors of Eq. (1), each as above: of the first images of P pairs, drawn from their own
+/// tokens, and of the second ones, drawn after one token was substituted. drawn [2P, ...], planes
+/// [2P, 5, E, E], as of `PairsToDraw` -> scalar.
+torch::Tensor pairReconstructionLoss(const DecodedObject& drawn, const torch::Tensor& planes,
+                                     double foreground_weight);
 
 /// Absolute error of a drawn object's colours, weighted as above; unlike the squared one it does
 /// not favour blurred edges. planes [B, 5, E, E] as of `EncoderInput`, in 0..1 -> scalar. Source:
@@ -42,5 +49,23 @@ torch::Tensor prototypeUseLoss(const torch::Tensor& values);
 /// mutual information of image and prototype (RIM, Krause et al., NIPS 2010); without it two values
 /// can rest shared half and half between two prototypes. values [B, n] -> scalar.
 torch::Tensor prototypeEntropy(const torch::Tensor& values);
+
+/// What a step of the first two phases learns from, scalars; those of what does not learn in it
+/// stay 0.
+struct ConceptTerms {
+  torch::Tensor disentangling = torch::zeros({});   ///< Eq. (2)
+  torch::Tensor reconstruction = torch::zeros({});  ///< Eq. (1)
+  torch::Tensor direct = torch::zeros({});          ///< reconstruction from Z, without tokens
+  torch::Tensor location = torch::zeros({});        ///< error of where the crops lie
+  torch::Tensor pair = torch::zeros({});            ///< pair likelihood of all concepts
+  torch::Tensor use = torch::zeros({});             ///< even use of their prototypes
+  torch::Tensor confidence = torch::zeros({});      ///< entropy of single images
+};
+
+/// Total loss: disentangling + reconstruction + direct are Eq. (3) of arXiv 2310.03325, with the
+/// weights of the options; location, with weight 1, and the last three terms are ours.
+/// @param sharpening second phase, in which `confidence` counts
+torch::Tensor conceptLoss(const ConceptTerms& terms, const ConceptTrainingOptions& options,
+                          bool sharpening);
 
 }  // namespace conceptplan

@@ -12,6 +12,7 @@
 #include "conceptplan/learner/torch/causal_transition.hpp"
 #include "conceptplan/learner/torch/checkpoint_identity.hpp"
 #include "conceptplan/learner/torch/frame_synthesizer.hpp"
+#include "conceptplan/learner/torch/vict_losses.hpp"
 #include "conceptplan/learner/training/task_sequences.hpp"
 
 namespace conceptplan {
@@ -30,13 +31,6 @@ struct VictTrainingOptions {
 };
 
 class GeneratorGuard;
-
-/// Mean squared errors of one step; the terms of Eq. (8) of arXiv 2310.03325.
-struct VictLosses {
-  double tokens = 0;          ///< L_MSE(C1', C1)
-  double prediction = 0;      ///< L_MSE(X~1, X1), within windows
-  double reconstruction = 0;  ///< L_MSE(X0', X0), within windows
-};
 
 /// Trains ViCT in two phases: the causal transition on tokens, then the frame synthesizer on
 /// windows with objects as the transition predicts them. The paper trains both at once; since the
