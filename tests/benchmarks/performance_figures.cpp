@@ -1,5 +1,5 @@
 // Reads what `planning_benchmark --benchmark_out=RESULTS.json` wrote, draws how costs grow, and
-// writes the tables of docs/performance.md.
+// writes the tables of docs/performance.md. Then it fails, naming them, if bounds are missed.
 //
 // performance_figures RESULTS.json DOCS
 
@@ -320,6 +320,30 @@ std::string valueIterationTable(const Results& results) {
          " sweeps. The values differ by at most " + decimal(billionths, 1) + " billionths.\n";
 }
 
+/// What the product promises and the results miss.
+std::vector<std::string> missedBounds(const Results& results) {
+  std::vector<std::string> missed;
+  const auto expect = [&missed](const std::string& what, double found, double least) {
+    if (!(found >= least))
+      missed.push_back(what + ": " + figure(found) + ", at least " + figure(least));
+  };
+  const Measured& ours = results["ourAstar"];
+  for (const char* boost : {"boostOverItsGrid", "boostOverOurGraph", "boostOverItsGraph"}) {
+    const Measured& theirs = results[boost];
+    expect(std::string("A*, rate of expansions to that of ") + boost,
+           ours.items_per_second / theirs.items_per_second, 4);
+    expect(std::string("A*, memory of ") + boost + " to ours",
+           theirs.counters.at("peak_MB") / ours.counters.at("peak_MB"), 2);
+  }
+  expect("value iteration, time of sparseMatrixSweeps to ours",
+         results["sparseMatrixSweeps"].milliseconds / results["ourValueIteration"].milliseconds, 3);
+  expect("exact top 5 of level-4 scenarios a second",
+         std::max(results["solveLevelFour/kbest/5"].items_per_second,
+                  results["solveLevelFour/astar/5"].items_per_second),
+         5000);
+  return missed;
+}
+
 /// The page up to and with the line behind which figures stand.
 std::string textBefore(const std::string& page) {
   const std::string marker = "<!-- written by performance_figures from here on -->\n";
@@ -345,9 +369,11 @@ int main(int count, char** arguments) {
     writeFileAtomically(page, textBefore(readFile(page)) + scenarioTable(results) +
                                   astarTable(results) + valueIterationTable(results) +
                                   curveTables(results));
+    const std::vector<std::string> missed = missedBounds(results);
+    for (const std::string& bound : missed) std::cerr << "performance_figures: " << bound << "\n";
+    return missed.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {
     std::cerr << "performance_figures: " << error.what() << "\n";
     return EXIT_FAILURE;
   }
-  return EXIT_SUCCESS;
 }

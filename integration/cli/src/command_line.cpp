@@ -1,10 +1,12 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <thread>
 
 #include "conceptplan/domain/files/nearest_name.hpp"
 #include "exit_code.hpp"
+#include "number_range.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -51,6 +53,10 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+CLI::Validator anySeed() {
+  return inRange(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()).description("");
+}
+
 int defaultJobs() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 }  // namespace
@@ -78,10 +84,11 @@ CLI::App& CommandLine::add(CLI::App& parent, const std::string& name, const std:
       ->group("Common options");
   command.add_option("--seed", options_.seed, "Seed of everything that is drawn; 0 if left out")
       ->type_name("N")
+      ->check(anySeed())
       ->group("Common options");
   command.add_option("--jobs", options_.jobs, "Threads; one a core if left out")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024))
+      ->check(inRange(1, 1024))
       ->group("Common options");
   command.callback([this, action = std::move(action)] { chosen_ = action; });
   return command;

@@ -1,5 +1,7 @@
 #include "determinisation_options.hpp"
 
+#include "number_range.hpp"
+
 namespace conceptplan::cli {
 namespace {
 
@@ -16,13 +18,13 @@ void addDeterminisation(CLI::App& command, DeterminisationOptions& options) {
       .add_option("--legality-threshold", options.legality_threshold,
                   "Actions are legal where their probability is greater; that of the scenario's "
                   "planner if left out")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(inRange(0.0, 1.0))
       ->type_name("P");
   command
       .add_option("--step-discount", options.step_discount,
                   "Share by which a step more must raise the probability; that of the scenario's "
                   "planner if left out")
-      ->check(CLI::Range(0.0, 0.5))
+      ->check(inRange(0.0, 0.5))
       ->type_name("P");
 }
 

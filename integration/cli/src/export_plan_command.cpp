@@ -6,6 +6,7 @@
 #include "scenario_check.hpp"
 #include "scenario_solver.hpp"
 #include "search_options.hpp"
+#include "stale_files.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -19,14 +20,35 @@ struct ExportPlanOptions {
   SearchLimits limits;
 };
 
-/// Writes the plans that are plans of the exported PDDL; tells of the others.
+std::string planName(std::size_t number) { return "plan." + std::to_string(number); }
+
+/// The planner of that name, with the options of the scenario if that names the same one. The
+/// threshold and the discount are in any case those of the problem that the plan files are about.
+std::unique_ptr<Planner> plannerFor(const Determinisation& problem, const Scenario& scenario,
+                                    const std::string& name, const PlannerRegistry& registry) {
+  const OptionTexts shared{{"legality_threshold", Json(problem.legality_threshold).dump()},
+                           {"step_discount", Json(problem.step_discount).dump()}};
+  OptionTexts texts = name == scenario.planner.name ? scenario.planner.options : OptionTexts{};
+  if (const PlannerEntry* entry = registry.find(name)) {
+    for (const PlannerOption& option : entry->options) {
+      const auto found = shared.find(option.name);
+      if (found != shared.end()) texts[option.name] = found->second;
+    }
+  }
+  return registry.make(name, texts, "--planner");
+}
+
+/// Writes the plans that are plans of the exported PDDL, in place of an earlier run's; tells of the
+/// others.
 Json writePlans(const std::vector<Plan>& plans, const SymbolGraph& graph,
                 const Determinisation& determinisation, const std::filesystem::path& folder,
                 Console& console) {
+  createFolder(folder);
+  removeStale(folder, planName);
   Json written = Json::array();
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const std::string number = std::to_string(i + 1);
-    const std::filesystem::path file = folder / ("plan." + number);
+    const std::filesystem::path file = folder / planName(i + 1);
     try {
       const PlanFile plan = groundPlan(graph, plans[i].actions, determinisation);
       writeFileAtomically(file, planFileText(plan));
@@ -51,16 +73,15 @@ int exportPlan(const ExportPlanOptions& options, Session& session) {
   query.seed = session.options.seed;
   query.limits = options.limits;
   query.limits.cancel = &session.cancel;
+  const Determinisation problem = determinisationOf(scenario, options.determinisation);
   const PlanResult result =
-      makePlanner(scenario, planner, solver.registry())->solve(compiled.graph, query);
+      plannerFor(problem, scenario, planner, solver.registry())->solve(compiled.graph, query);
   if (session.cancel) throw Interrupted{};
   if (!result.reason.empty()) {
     session.console.print(std::string(name(result.status)) + ", " + result.reason);
   }
-  createFolder(options.out);
   const Json written =
-      writePlans(result.plans, compiled.graph, determinisationOf(scenario, options.determinisation),
-                 options.out, session.console);
+      writePlans(result.plans, compiled.graph, problem, options.out, session.console);
   session.console.printJson({{"planner", planner},
                              {"status", name(result.status)},
                              {"reason", result.reason},

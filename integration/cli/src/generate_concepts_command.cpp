@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "conceptplan/pipeline/generation.hpp"
 #include "exit_code.hpp"
+#include "number_range.hpp"
 #include "task_set_options.hpp"
 
 namespace conceptplan::cli {
@@ -36,7 +37,7 @@ void addGenerateConceptsCommand(CommandLine& line, CLI::App& group) {
   command
       .add_option("--samples", options->dataset.samples,
                   "Colour samples of each combination; 20 if left out")
-      ->check(CLI::Range(1, kNumColorSamples))
+      ->check(inRange(1, kNumColorSamples))
       ->type_name("N");
   addSplit(command, options->dataset.split,
            "train (40 % of the combinations, if left out), validation (10 %) or test (50 %)");

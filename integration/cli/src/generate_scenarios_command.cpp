@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "conceptplan/pipeline/model.hpp"
 #include "exit_code.hpp"
+#include "number_range.hpp"
 #include "scenario_generation.hpp"
 #include "task_set_options.hpp"
 
@@ -45,10 +46,10 @@ void addGenerateScenariosCommand(CommandLine& line, CLI::App& group) {
   TaskOptions& tasks = options->set.tasks;
   tasks.split = Split::kTest;
   command.add_option("--level", tasks.level, "1 movement, 2 + obstacles, 3 + dyer, 4 + rotation")
-      ->check(CLI::Range(1, 4))
+      ->check(inRange(1, 4))
       ->type_name("1..4");
   command.add_option("--count", options->set.count, "Number of scenarios; 1 if left out")
-      ->check(CLI::Range(1, 100000))
+      ->check(inRange(1, 100000))
       ->type_name("N");
   command.add_option("--out", options->out, "Folder in which the scenarios' folders are made")
       ->required()
@@ -64,7 +65,7 @@ void addGenerateScenariosCommand(CommandLine& line, CLI::App& group) {
       .add_option("--targets", options->set.targets,
                   "Objects to be moved, 1 if left out; 2 from level 2 on, of which one is an "
                   "obstacle otherwise")
-      ->check(CLI::Range(1, 2))
+      ->check(inRange(1, 2))
       ->type_name("1..2");
   command.add_flag("--infeasible", options->set.infeasible,
                    "Scenarios without a solution: the target is shut in");

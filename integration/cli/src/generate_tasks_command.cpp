@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "conceptplan/pipeline/generation.hpp"
 #include "exit_code.hpp"
+#include "number_range.hpp"
 #include "task_set_options.hpp"
 
 namespace conceptplan::cli {
@@ -43,10 +44,10 @@ void addGenerateTasksCommand(CommandLine& line, CLI::App& group) {
       .add_option("--level", dataset.levels,
                   "1 movement, 2 + obstacles, 3 + dyer, 4 + rotation; several as 1,2,3")
       ->delimiter(',')
-      ->check(CLI::Range(1, 4))
+      ->check(inRange(1, 4))
       ->type_name("1..4");
   command.add_option("--count", dataset.count, "Tasks a level; 1000 if left out")
-      ->check(CLI::Range(1, 10000000))
+      ->check(inRange(1, 10000000))
       ->type_name("N");
   command.add_option("--out", options->out, "Folder of the dataset; an interrupted one goes on")
       ->required()

@@ -2,6 +2,7 @@
 #include "conceptplan/domain/files/atomic_file.hpp"
 #include "conceptplan/pipeline/figures.hpp"
 #include "exit_code.hpp"
+#include "number_range.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -50,7 +51,7 @@ void addInspectFiguresCommand(CommandLine& line, CLI::App& group) {
       ->required()
       ->type_name("DIR");
   command.add_option("--pictures", options->pictures, "Most pictures read; 1000 if left out")
-      ->check(CLI::Range(20, 100000))
+      ->check(inRange(20, 100000))
       ->type_name("N");
 }
 

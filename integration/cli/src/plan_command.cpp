@@ -8,6 +8,7 @@
 #include "scenario_check.hpp"
 #include "scenario_solver.hpp"
 #include "search_options.hpp"
+#include "stale_files.hpp"
 
 namespace conceptplan::cli {
 namespace {
@@ -25,10 +26,15 @@ std::string stepName(std::size_t step) {
   return std::string("step-") + (step < 10 ? "0" : "") + std::to_string(step) + ".png";
 }
 
-/// result.json, report.html, the predicted frames and the refined motion.
+/// result.json, which comes last, report.html, the predicted frames and the refined motion, in
+/// place of an earlier run's.
 void writeFolder(const std::filesystem::path& folder, const SolvedScenario& solved,
                  const Json& result, std::uint64_t seed) {
   createFolder(folder);
+  for (const char* file : {"result.json", "report.html", "trajectory.json", "trajectory.csv"}) {
+    removeStale(folder / file);
+  }
+  removeStale(folder, stepName);
   for (std::size_t i = 0; i < solved.solution.frames.size(); ++i) {
     const RgbdImage& frame = solved.solution.frames[i];
     writeFileAtomically(folder / stepName(i + 1), encodePng(frame.width, frame.height, frame.rgb));

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <optional>
 #include <stdexcept>
@@ -31,6 +32,62 @@ std::optional<ResultKey> keyOf(const Json& result) {
   return ResultKey{*scenario, *planner, *seed};
 }
 
+/// The value of a field; null if it is missing.
+Json fieldOf(const Json& object, const char* key) { return object.value(key, Json()); }
+
+bool isText(const Json& value) { return value.is_string(); }
+
+bool isPlan(const Json& plan) {
+  if (!plan.is_object()) return false;
+  const Json actions = fieldOf(plan, "actions");
+  // Only plans for several targets have objects.
+  const Json objects = plan.value("objects", actions);
+  return actions.is_array() && std::all_of(actions.begin(), actions.end(), isText) &&
+         objects.is_array() && objects.size() == actions.size() &&
+         fieldOf(plan, "length").is_number() && fieldOf(plan, "probability").is_number();
+}
+
+bool arePlans(const Json& plans) {
+  return plans.is_array() && std::all_of(plans.begin(), plans.end(), isPlan);
+}
+
+bool isEvaluation(const Json& evaluation) {
+  if (!evaluation.is_object()) return evaluation.is_null();
+  const Json right = fieldOf(evaluation, "top1");
+  return right == true || (right == false && isText(fieldOf(evaluation, "failure")));
+}
+
+bool areTimes(const Json& times) {
+  return times.is_object() && fieldOf(times, "total").is_number();
+}
+
+/// A field that is read again, and what `solve` writes there.
+struct ResultField {
+  const char* key;
+  const char* expected;
+  bool (*holds)(const Json& value);
+};
+
+constexpr std::array kFields{ResultField{"status", "text", isText},
+                             ResultField{"plans", "a list of plans", arePlans},
+                             ResultField{"evaluation", "an evaluation or null", isEvaluation},
+                             ResultField{"times_ms", "times with a total", areTimes}};
+
+/// What makes a line no result, with the key; nothing if it is one.
+std::optional<Fault> faultOf(const Json& line) {
+  Fault fault{"", {}, {}, "", "expected a result of solve"};
+  if (!keyOf(line)) return fault;
+  for (const ResultField& field : kFields) {
+    const bool has = line.contains(field.key);
+    if (has && field.holds(line[field.key])) continue;
+    fault.key = field.key;
+    fault.message = std::string("expected ") + field.expected + ", found " +
+                    (has ? line[field.key].type_name() : "nothing");
+    return fault;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Json> readResults(const std::filesystem::path& path) {
@@ -44,12 +101,16 @@ std::vector<Json> readResults(const std::filesystem::path& path) {
     if (end == std::string::npos) break;  // a torn last line
     Json result = Json::parse(text.substr(begin, end - begin), nullptr, false);
     begin = end + 1;
-    if (keyOf(result)) {
+    if (result.is_discarded() && begin == text.size()) break;
+    std::optional<Fault> fault = faultOf(result);
+    if (!fault) {
       results.push_back(std::move(result));
-    } else if (begin < text.size()) {
-      faults.push_back(
-          {path.string(), number, {}, "", "expected a result of solve; remove the line"});
+      continue;
     }
+    fault->path = path.string();
+    fault->line = number;
+    fault->message += "; remove the line";
+    faults.push_back(*std::move(fault));
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return results;

@@ -20,7 +20,7 @@ struct ResultKey {
 };
 
 /// The results that `solve` wrote to a file, without a torn last line.
-/// @throws InputError if the file cannot be read, or a line that is not the last is no result.
+/// @throws InputError if the file cannot be read, or with every other line that is no result.
 std::vector<Json> readResults(const std::filesystem::path& path);
 
 /// The results of one `solve`, on disk as soon as they are there: each is appended as one line of
@@ -32,8 +32,9 @@ class ResultLog {
   /// @param keys of all results, in their final order, each once
   /// @param resume keep the results that are there already, without a torn last line; otherwise
   ///   begin anew
-  /// @throws InputError if the file cannot be written or, on resuming, a line that is not the last
-  ///   is no result.
+  /// @throws InputError if the file cannot be written or, on resuming, a line that is not torn is
+  /// no
+  ///   result.
   ResultLog(std::filesystem::path path, std::vector<ResultKey> keys, bool resume);
   ResultLog(const ResultLog&) = delete;
   ResultLog& operator=(const ResultLog&) = delete;

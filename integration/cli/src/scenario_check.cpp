@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "conceptplan/domain/files/nearest_name.hpp"
 #include "conceptplan/domain/scenario/scenario_file.hpp"
+#include "conceptplan/nlopt/refiner.hpp"
 #include "conceptplan/pipeline/model.hpp"
 
 namespace conceptplan::cli {
@@ -26,6 +28,21 @@ auto placed(const Scenario& scenario, const Work& work) {
   }
 }
 
+/// That the refiner has the algorithm which the scenario names.
+void checkAlgorithm(const Scenario& scenario) {
+  if (!scenario.refine || !scenario.refine->algorithm) return;
+  const std::string& name = *scenario.refine->algorithm;
+  std::vector<std::string_view> known;
+  std::string all;
+  for (const RefinementAlgorithm& algorithm : refinementAlgorithms()) {
+    known.push_back(algorithm.name);
+    all += (all.empty() ? "" : " | ") + std::string(algorithm.name);
+  }
+  if (std::ranges::find(known, name) != known.end()) return;
+  throw InputError({scenario.fault("refine.algorithm", "expected one of " + all + ", found \"" +
+                                                           name + "\"" + didYouMean(name, known))});
+}
+
 std::vector<Fault> openFaults(const Scenario& scenario, const PlannerRegistry& registry) {
   const std::vector<std::function<void()>> checks{
       [&] { modelFolder(scenario); },
@@ -36,6 +53,7 @@ std::vector<Fault> openFaults(const Scenario& scenario, const PlannerRegistry& r
           makeJointPlanner(scenario, scenario.planner.name, registry);
         }
       },
+      [&] { checkAlgorithm(scenario); },
       [&] {
         if (scenario.reference && std::filesystem::is_regular_file(*scenario.reference)) {
           readReference(*scenario.reference);

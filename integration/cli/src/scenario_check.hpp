@@ -11,7 +11,7 @@
 namespace conceptplan::cli {
 
 /// Reads a scenario and checks also what the file format leaves open: the planner's name and
-/// options, that the model is there, and the reference.
+/// options, the algorithm of the refinement, that the model is there, and the reference.
 /// @throws InputError with all faults.
 Scenario readCheckedScenario(const std::filesystem::path& path, const PlannerRegistry& registry);
 

@@ -38,7 +38,7 @@ TEST_F(ScenarioFile, RoundTripInPictures) {
   written.model = "other";
   written.target = 2;
   written.planner = {"bfs", {{"symbols", "hard"}}, 3};
-  written.refine_clearance_m = 0.01;
+  written.refine = {0.01, "mma", 500};
   written.render = false;
   const auto folder = folder_ / "again";
   writeScenario(folder, written, sampleReference());
@@ -49,7 +49,7 @@ TEST_F(ScenarioFile, RoundTripInPictures) {
   EXPECT_EQ(read.planner.name, "bfs");
   EXPECT_EQ(read.planner.options, written.planner.options);
   EXPECT_EQ(read.planner.top, 3);
-  EXPECT_EQ(read.refine_clearance_m, 0.01);
+  EXPECT_EQ(read.refine, written.refine);
   EXPECT_FALSE(read.render);
   EXPECT_EQ(read.reference, folder / "reference.yaml");
   EXPECT_EQ(std::get<PictureInput>(read.input).goal.mask, sampleFrame(2).mask);
@@ -78,7 +78,7 @@ TEST_F(ScenarioFile, DefaultsHold) {
   EXPECT_EQ(read.target, std::nullopt);
   EXPECT_EQ(read.planner.name, "belief");
   EXPECT_EQ(read.planner.top, 5);
-  EXPECT_EQ(read.refine_clearance_m, std::nullopt);
+  EXPECT_EQ(read.refine, std::nullopt);
   EXPECT_TRUE(read.render);
   EXPECT_EQ(read.reference, std::nullopt);
 }
@@ -103,6 +103,18 @@ TEST_F(ScenarioFile, WrongTypesAreNamed) {
                                 "\"much\""));
   EXPECT_THAT(faults, HasSubstr("render: expected true or false, found \"3\""));
   EXPECT_THAT(faults, HasSubstr("model: expected text, found a list"));
+}
+
+TEST_F(ScenarioFile, RefinementHasItsDefaultsAndFaults) {
+  folder_.write("scenario.yaml", head_ + pictures_ + "refine: {clearance_m: 0.02}\n");
+  EXPECT_EQ(readScenario(folder_.path()).refine, RefinementChoice{0.02});
+  const std::string faults = faultsOfText(
+      head_ + pictures_ + "refine: {algorithm: [mma], max_evaluations: 0, algoritm: mma}\n");
+  EXPECT_THAT(faults, HasSubstr("refine.clearance_m: the key is missing"));
+  EXPECT_THAT(faults, HasSubstr("refine.algorithm: expected text, found a list"));
+  EXPECT_THAT(faults, HasSubstr("refine.max_evaluations: expected a whole number in [1, 1000000], "
+                                "found \"0\""));
+  EXPECT_THAT(faults, HasSubstr("refine.algoritm: unknown key; did you mean \"algorithm\"?"));
 }
 
 TEST_F(ScenarioFile, QuotedNumbersAreText) {

@@ -43,7 +43,7 @@ TEST(CommandLine, MissingAndWrongValuesAreNamed) {
   EXPECT_THAT(missing.error, HasSubstr("SCENARIO is required"));
   const CommandResult level = runCommand({"generate", "tasks", "--level", "9", "--out", "x"});
   EXPECT_EQ(level.exit_code, 2);
-  EXPECT_THAT(level.error, HasSubstr("--level: Value 9 not in range 1 to 4"));
+  EXPECT_THAT(level.error, HasSubstr("--level: expected a whole number in [1, 4], found \"9\""));
   const CommandResult split = runCommand({"generate", "tasks", "--split", "tets", "--out", "x"});
   EXPECT_EQ(split.exit_code, 2);
   EXPECT_THAT(split.error, HasSubstr("expected train|validation|test, found \"tets\"; did you mean "
@@ -51,6 +51,35 @@ TEST(CommandLine, MissingAndWrongValuesAreNamed) {
   const CommandResult jobs = runCommand({"planners", "--jobs", "0"});
   EXPECT_EQ(jobs.exit_code, 2);
   EXPECT_THAT(jobs.error, HasSubstr("--jobs"));
+}
+
+TEST(CommandLine, WhatIsNoNumberInTheRangeIsRefused) {
+  struct Wrong {
+    std::vector<std::string> option;
+    const char* message;
+  };
+  for (const Wrong& wrong :
+       {Wrong{{"--timeout", "nan"},
+              "--timeout: expected a number in [0.001, 1e+06], found \"nan\""},
+        Wrong{{"--timeout", "inf"},
+              "--timeout: expected a number in [0.001, 1e+06], found \"inf\""},
+        Wrong{{"--timeout", "5s"}, "--timeout: expected a number in [0.001, 1e+06], found \"5s\""},
+        Wrong{{"--expansions", "1.5"},
+              "--expansions: expected a whole number in [1, 2000000000], found \"1.5\""},
+        Wrong{{"--seed", "-1"},
+              "--seed: expected a whole number in [0, 18446744073709551615], found \"-1\""}}) {
+    std::vector<std::string> call{"solve", "x"};
+    call.insert(call.end(), wrong.option.begin(), wrong.option.end());
+    const CommandResult result = runCommand(call);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.error, HasSubstr(wrong.message));
+  }
+  const CommandResult threshold =
+      runCommand({"export", "pddl", "x", "--out", "y", "--legality-threshold", "nan"});
+  EXPECT_EQ(threshold.exit_code, 2);
+  EXPECT_THAT(threshold.error,
+              HasSubstr("--legality-threshold: expected a number in [0, 1], found \"nan\""));
+  EXPECT_EQ(runCommand({"planners", "--seed", "18446744073709551615"}).exit_code, 0);
 }
 
 TEST(CommandLine, JsonCarriesTheErrorOfAWrongCall) {

@@ -82,6 +82,26 @@ TEST_F(ModelCommands, TrainingGoesOnAfterAnInterrupt) {
   EXPECT_TRUE(json::parse(trained_.out).contains("measures"));
 }
 
+TEST_F(ModelCommands, TellsOfSymbolsThatMayBeMergedOrSplitValues) {
+  EXPECT_THAT(trained_.error, HasSubstr("warning: symbols of "));
+  const json answer = json::parse(runCommand({"inspect", "model", model(), "--json"}).out);
+  const std::string shown = runCommand({"inspect", "model", model()}).out;
+  for (const json& entry : answer["concepts"]) {
+    const std::string warning = "warning: symbols of " + entry["name"].get<std::string>();
+    EXPECT_EQ(shown.find(warning) != std::string::npos, entry["suspicious_clusters"].get<bool>());
+  }
+}
+
+TEST_F(ModelCommands, TrainsAgainOnlyIfAsked) {
+  const CommandResult refused = runCommand(
+      {"train", "all", "--data", data(), "--model", model(), "--profile", "smoke", "--seed", "0"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.error, HasSubstr("go on with --resume, or begin again with --anew"));
+  EXPECT_EQ(runCommand({"train", "all", "--data", data(), "--model", model(), "--resume", "--anew"})
+                .exit_code,
+            2);
+}
+
 TEST_F(ModelCommands, TrainTellsItsStageAndTheTimeLeftOfAll) {
   EXPECT_THAT(trained_.error, HasSubstr("stage 1 of 4: data: concepts-train  "));
   EXPECT_THAT(trained_.error, HasSubstr(" left in all"));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "conceptplan/domain/concept.hpp"
 #include "conceptplan/domain/files/atomic_file.hpp"
@@ -57,6 +58,35 @@ TEST_F(PlanCommand, TheReportTellsThePlannersLegalityThreshold) {
   // Options are those of the scenario's own planner.
   ASSERT_EQ(plan(scenario, {"--planner", "astar"}).exit_code, 1);
   EXPECT_THAT(report(), HasSubstr("more than 1.0&nbsp;% are needed"));
+}
+
+TEST_F(PlanCommand, FilesOfAnEarlierRunDoNotStay) {
+  const std::string refined = CONCEPTPLAN_SCENARIOS "/level3-0002";
+  ASSERT_EQ(plan(refined).exit_code, 0);
+  const std::filesystem::path folder = out();
+  EXPECT_TRUE(std::filesystem::exists(folder / "trajectory.json"));
+  for (const char* file : {"step-01.png", "step-17.png", "notes.txt"}) {
+    writeFileAtomically(folder / file, "");
+  }
+  const std::string plain = changed(refined, "refine: {clearance_m: 0.01}\n", "");
+  ASSERT_EQ(plan(plain).exit_code, 0);
+  std::set<std::string> left;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    left.insert(entry.path().filename());
+  }
+  EXPECT_EQ(left, (std::set<std::string>{"notes.txt", "report.html", "result.json"}));
+  EXPECT_TRUE(result()["refinement"].is_null());
+}
+
+TEST_F(PlanCommand, TheScenarioChoosesTheAlgorithmOfTheRefinement) {
+  const std::string refined = CONCEPTPLAN_SCENARIOS "/level3-0002";
+  ASSERT_EQ(plan(refined).exit_code, 0);
+  const std::string motion = readFile(folder_ / "out/trajectory.csv");
+  const std::string other =
+      changed(refined, "clearance_m: 0.01", "clearance_m: 0.01, algorithm: mma");
+  ASSERT_EQ(plan(other).exit_code, 0);
+  EXPECT_FALSE(result()["refinement"]["fell_back"]) << result()["refinement"];
+  EXPECT_NE(readFile(folder_ / "out/trajectory.csv"), motion);
 }
 
 TEST_F(PlanCommand, ObjectsHaveTheSameNameEverywhere) {

@@ -65,6 +65,19 @@ TEST_F(ValidateCommand, UnknownPlannerAndOptionsHaveTheirLine) {
   EXPECT_THAT(option.error, HasSubstr("scenario.yaml:7:"));
 }
 
+TEST_F(ValidateCommand, AnUnknownAlgorithmOfTheRefinementHasItsLine) {
+  const CommandResult result =
+      validateText(text_ + "refine: {clearance_m: 0.01, algorithm: slqsp}\n");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.error,
+              testing::ContainsRegex("scenario.yaml:[0-9]+:[0-9]+: refine.algorithm: "));
+  EXPECT_THAT(result.error, HasSubstr("expected one of slsqp | mma | ccsaq | cobyla, found "
+                                      "\"slqsp\"; did you mean \"slsqp\"?"));
+  const CommandResult known =
+      validateText(text_ + "refine: {clearance_m: 0.01, algorithm: ccsaq, max_evaluations: 50}\n");
+  EXPECT_THAT(known.error, testing::Not(HasSubstr("refine")));
+}
+
 TEST_F(ValidateCommand, TargetOutsideTheMaskIsNamed) {
   const CommandResult result = validateText(replaced("target: 1", "target: 9"));
   EXPECT_EQ(result.exit_code, 2);
