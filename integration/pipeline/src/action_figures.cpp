@@ -129,8 +129,7 @@ Figure displacements(const Material& material, const Effects& effects) {
                      "Seven panels, one an action: changes of column and row of single objects.");
   drawing.text({kLeft, 38}, "Where each action moves an object", {24, {}, true});
   drawing.text({kLeft, 64},
-               "Change of position in cells, read from the tokens after the causal transition by a "
-               "linear map; " +
+               "Cells moved, by a linear map of the tokens that the causal transition gives; " +
                    material.set,
                {16, {}, false, kQuiet});
   const SymbolicModel& symbolic = material.model.symbolic();

@@ -125,11 +125,10 @@ Figure clusters(const Material& material) {
                      "Six panels, one a concept: tokens of single objects in two dimensions, "
                      "coloured by symbol.");
   drawing.text({kLeft, 38}, "The symbols of each concept", {24, {}, true});
-  drawing.text(
-      {kLeft, 64},
-      "Tokens seen from where the two nearest clusters look farthest apart, coloured by the "
-      "symbol they are read as; crosses are misread.",
-      {16, {}, false, kQuiet});
+  drawing.text({kLeft, 64},
+               "Tokens in the plane in which the nearest clusters look farthest apart; crosses are "
+               "misread.",
+               {16, {}, false, kQuiet});
   drawing.text({kLeft, 88}, "From " + material.set + ".", {16, {}, false, kQuiet});
   for (const Concept which : kConcepts) {
     const auto k = static_cast<int>(index(which));
