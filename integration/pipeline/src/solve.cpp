@@ -115,7 +115,7 @@ void addDoubts(const std::string& picture, const RgbdImage& image, const Percept
                                   grounding.name(which, symbols[index(which)]) + ".");
     if (!recognised[i])
       solution.doubts.push_back("In the " + picture + " picture, " + object +
-                                " does not look like what it is read as; its symbols are guesses.");
+                                " does not look like what it is read as; its symbols may be guesses.");
   }
 }
 
