@@ -5,6 +5,7 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 namespace conceptplan {
 namespace {
@@ -38,6 +39,7 @@ TEST(ParallelWork, CancelEndsItSoon) {
   workInParallel(1000, 2, &cancel, [&]() -> Worker {
     return [&](std::size_t) {
       if (++calls == 5) cancel = true;
+      while (calls > 5 && !cancel) std::this_thread::yield();  // until the fifth call has said so
     };
   });
   EXPECT_LE(calls, 7);
