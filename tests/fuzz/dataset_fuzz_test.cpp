@@ -249,16 +249,22 @@ RgbdImage plainImage(std::uint8_t red) {
   return image;
 }
 
-/// Pictures stay on disk until they are asked for; a damaged one is refused then, though it may be
-/// a picture still.
-TEST(TaskDatasetFuzz, DamagedPicturesAreRefused) {
-  const TemporaryFolder folder;
+/// A set of one task with plain pictures. @returns the task's id
+std::string writePlainTask(const TemporaryFolder& folder) {
   TaskDatasetOptions options;
   options.count = 1;
   options.frames = Frames::kEnds;
   const TaskDatasetWriter writer(folder.path(), options);
   for (const auto& frame : writer.pendingFrames()) writer.write(frame, plainImage(9));
   writer.finish();
+  return writer.tasks().front().id;
+}
+
+/// Pictures stay on disk until they are asked for; a damaged one is refused then, though it may be
+/// a picture still.
+TEST(TaskDatasetFuzz, DamagedPicturesAreRefused) {
+  const TemporaryFolder folder;
+  writePlainTask(folder);
   const TaskDataset dataset(folder.path());
   const Task& task = dataset.tasks().front();
   const auto goal = static_cast<int>(task.reference.size());
@@ -282,13 +288,7 @@ TEST(TaskDatasetFuzz, DamagedPicturesAreRefused) {
 
 TEST(TaskDatasetFuzz, ResealedPicturesAreRefusedOrOfTheRightSize) {
   const TemporaryFolder folder;
-  TaskDatasetOptions options;
-  options.count = 1;
-  options.frames = Frames::kEnds;
-  const TaskDatasetWriter writer(folder.path(), options);
-  for (const auto& frame : writer.pendingFrames()) writer.write(frame, plainImage(9));
-  writer.finish();
-  const std::string first = "images/" + writer.tasks().front().id + "/00.";
+  const std::string first = "images/" + writePlainTask(folder) + "/00.";
   std::size_t refused = 0;
   for (const char* part : {"rgb.png", "depth.png", "mask.png"}) {
     const std::string file = first + part;

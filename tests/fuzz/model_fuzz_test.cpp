@@ -37,14 +37,20 @@ TEST(ModelFuzz, DamageToAnyFileIsFoundByTheManifest) {
   EXPECT_NO_THROW(readModelManifest(folder.path()));
 }
 
-TEST(ModelFuzz, DamagedManifestsAreRefusedOrSayTheSame) {
-  const TemporaryFolder folder;
+/// A manifest and the file of its one stage.
+ModelManifest writeSmallModel(const TemporaryFolder& folder) {
   writeFileAtomically(folder / kConceptsFile, "concepts");
   ModelManifest manifest;
   manifest.name = "m";
   manifest.stages = {TrainingStage::kLearnConcepts};
   manifest.measures = {{"validation/dci", 0.5}};
   writeModelManifest(folder.path(), manifest);
+  return manifest;
+}
+
+TEST(ModelFuzz, DamagedManifestsAreRefusedOrSayTheSame) {
+  const TemporaryFolder folder;
+  const ModelManifest manifest = writeSmallModel(folder);
   std::size_t refused = 0;
   testing::forEachDamage(readFile(folder / "manifest.json"), 1000, 2000, 23,
                          [&](const std::string& bytes, const std::string& what) {
@@ -67,12 +73,7 @@ TEST(ModelFuzz, DamagedManifestsAreRefusedOrSayTheSame) {
 
 TEST(ModelFuzz, ResealedManifestsAreRefusedOrNameTheirFiles) {
   const TemporaryFolder folder;
-  writeFileAtomically(folder / kConceptsFile, "concepts");
-  ModelManifest manifest;
-  manifest.name = "m";
-  manifest.stages = {TrainingStage::kLearnConcepts};
-  manifest.measures = {{"validation/dci", 0.5}};
-  writeModelManifest(folder.path(), manifest);
+  const ModelManifest manifest = writeSmallModel(folder);
   std::size_t refused = 0, read = 0;
   testing::forEachDamage(readFile(folder / "manifest.json"), 1000, 2000, 53,
                          [&](const std::string& bytes, const std::string& what) {
