@@ -12,8 +12,6 @@ namespace {
 
 constexpr int kEdge = EncoderInput::kEdge;
 constexpr int kPixels = EncoderInput::kPixels;
-constexpr int kDepthPlane = EncoderInput::kDepthPlane;
-constexpr int kMaskPlane = EncoderInput::kMaskPlane;
 constexpr float kOpaque = 0.5F;
 constexpr double kFarthest_m = 0.05;
 
@@ -43,14 +41,15 @@ PictureResidual pictureResidual(const EncoderInput& seen, const DrawnObject& dra
       const bool in_crop = drawn_x >= 0 && drawn_x < kEdge && drawn_y >= 0 && drawn_y < kEdge;
       const auto there = static_cast<std::size_t>(in_crop ? drawn_y * kEdge + drawn_x : 0);
       const auto here = static_cast<std::size_t>(y * kEdge + x);
-      const bool is_seen = seen.planes[kMaskPlane * kPixels + here] != 0;
+      const bool is_seen = seen.planes[EncoderInput::kMaskPlane * kPixels + here] != 0;
       const bool is_drawn = in_crop && drawn.alpha[there] >= kOpaque;
       const bool may_be_hidden = !hidden.empty() && hidden[here] != 0;
       if (is_seen) ++seen_pixels;
       if (is_seen ? !is_drawn : is_drawn && !may_be_hidden) ++alone;
       if (!is_seen || !is_drawn) continue;
-      depth_m.push_back(depthOf(seen.location, seen.planes[kDepthPlane * kPixels + here]) -
-                        drawn.depth_m[there]);
+      depth_m.push_back(
+          depthOf(seen.location, seen.planes[EncoderInput::kDepthPlane * kPixels + here]) -
+          drawn.depth_m[there]);
       depth_sum_m += depth_m.back();
       for (std::size_t channel = 0; channel < 3; ++channel)
         color += std::abs(seen.planes[channel * kPixels + here] / 255.0 -

@@ -68,8 +68,8 @@ ConceptEvaluation evaluateConcepts(const ConceptDataset& data, const Model& mode
   double all_right = 0, fit_no_symbol = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const SymbolBelief belief = model.symbols().symbolizer.belief(readings.tokens[i]);
-    if (!readings.recognised[i] ||
-        std::ranges::count(model.symbols().symbolizer.fits(readings.tokens[i]), false) > 0)
+    if (isLikeNoneLearned(model.symbols().symbolizer.fits(readings.tokens[i]),
+                          readings.recognised[i]))
       fit_no_symbol += 1;
     bool all = true;
     for (std::size_t k = 0; k < kNumConcepts; ++k) {

@@ -29,7 +29,7 @@ void countObjects(const Task& task, const Percept& initial, const std::vector<bo
     const bool seen = static_cast<std::size_t>(task.initial.objects[at].type) < kNumSeenTypes;
     ToldObjects& count = seen ? result.seen_types : result.unseen_types;
     ++count.objects;
-    if (!recognised[i] || std::ranges::count(initial.fits[i], false) > 0) ++count.told;
+    if (isLikeNoneLearned(initial.fits[i], recognised[i])) ++count.told;
   }
 }
 

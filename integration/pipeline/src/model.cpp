@@ -120,6 +120,10 @@ std::size_t Percept::position(std::uint8_t instance) const {
                                   instances.begin());
 }
 
+bool isLikeNoneLearned(const std::array<bool, kNumConcepts>& fits, bool recognised) {
+  return !recognised || std::ranges::count(fits, false) > 0;
+}
+
 struct Model::Parts {
   std::filesystem::path folder;
   ModelOptions options;

@@ -114,8 +114,9 @@ void addDoubts(const std::string& picture, const RgbdImage& image, const Percept
                                   " is like none that was learned; it is read as " +
                                   grounding.name(which, symbols[index(which)]) + ".");
     if (!recognised[i])
-      solution.doubts.push_back("In the " + picture + " picture, " + object +
-                                " does not look like what it is read as; its symbols may be guesses.");
+      solution.doubts.push_back(
+          "In the " + picture + " picture, " + object +
+          " does not look like what it is read as; its symbols may be guesses.");
   }
 }
 

@@ -9,8 +9,6 @@ namespace {
 
 constexpr int kEdge = EncoderInput::kEdge;
 constexpr int kPixels = EncoderInput::kPixels;
-constexpr int kDepthPlane = EncoderInput::kDepthPlane;
-constexpr int kMaskPlane = EncoderInput::kMaskPlane;
 constexpr double kLeastVisible = 0.4;
 
 double uniform(std::mt19937_64& generator, double low, double high) {
@@ -48,10 +46,11 @@ void occlude(EncoderInput& input, std::span<const std::uint8_t> occluder,
   for (int y = 0; y < kEdge; ++y)
     for (int x = 0; x < kEdge; ++x) {
       const int pixel = y * kEdge + x;
-      if (input.planes[kMaskPlane * kPixels + pixel] == 0) continue;
+      if (input.planes[EncoderInput::kMaskPlane * kPixels + pixel] == 0) continue;
       const int from_x = x - dx, from_y = y - dy;
-      const bool covered = from_x >= 0 && from_x < kEdge && from_y >= 0 && from_y < kEdge &&
-                           occluder[kMaskPlane * kPixels + from_y * kEdge + from_x] != 0;
+      const bool covered =
+          from_x >= 0 && from_x < kEdge && from_y >= 0 && from_y < kEdge &&
+          occluder[EncoderInput::kMaskPlane * kPixels + from_y * kEdge + from_x] != 0;
       if (covered)
         hidden.push_back(pixel);
       else
@@ -66,7 +65,7 @@ void occlude(EncoderInput& input, std::span<const std::uint8_t> occluder,
 void fray(EncoderInput& input, std::mt19937_64& generator) {
   const auto outside = [&](int x, int y) {
     return x < 0 || x >= kEdge || y < 0 || y >= kEdge ||
-           input.planes[kMaskPlane * kPixels + y * kEdge + x] == 0;
+           input.planes[EncoderInput::kMaskPlane * kPixels + y * kEdge + x] == 0;
   };
   std::vector<int> lost;
   for (int y = 0; y < kEdge; ++y)
@@ -83,7 +82,7 @@ void recentre(EncoderInput& input, int error_x, int error_y) {
   int left = kEdge, right = -1, top = kEdge, bottom = -1;
   for (int y = 0; y < kEdge; ++y)
     for (int x = 0; x < kEdge; ++x)
-      if (input.planes[kMaskPlane * kPixels + y * kEdge + x] != 0) {
+      if (input.planes[EncoderInput::kMaskPlane * kPixels + y * kEdge + x] != 0) {
         left = std::min(left, x), right = std::max(right, x);
         top = std::min(top, y), bottom = std::max(bottom, y);
       }
@@ -107,8 +106,8 @@ void recentreDepth(EncoderInput& input) {
   std::array<int, 256> histogram{};
   int visible = 0;
   for (int i = 0; i < kPixels; ++i)
-    if (input.planes[kMaskPlane * kPixels + i] != 0) {
-      ++histogram[input.planes[kDepthPlane * kPixels + i]];
+    if (input.planes[EncoderInput::kMaskPlane * kPixels + i] != 0) {
+      ++histogram[input.planes[EncoderInput::kDepthPlane * kPixels + i]];
       ++visible;
     }
   int median = 0, below = histogram[0];
@@ -116,8 +115,8 @@ void recentreDepth(EncoderInput& input) {
   const int change = median - 128;
   if (visible == 0 || change == 0) return;
   for (int i = 0; i < kPixels; ++i)
-    if (input.planes[kMaskPlane * kPixels + i] != 0) {
-      auto& depth = input.planes[kDepthPlane * kPixels + i];
+    if (input.planes[EncoderInput::kMaskPlane * kPixels + i] != 0) {
+      auto& depth = input.planes[EncoderInput::kDepthPlane * kPixels + i];
       depth = static_cast<std::uint8_t>(std::clamp(depth - change, 1, 255));
     }
   input.location[2] += 0.002F * static_cast<float>(change);
@@ -135,7 +134,7 @@ void relight(EncoderInput& input, const AugmentationOptions& options, std::mt199
     const double factor =
         gain * (1 + uniform(generator, -options.channel_gain, options.channel_gain));
     for (int i = 0; i < kPixels; ++i) {
-      if (input.planes[kMaskPlane * kPixels + i] == 0) continue;
+      if (input.planes[EncoderInput::kMaskPlane * kPixels + i] == 0) continue;
       const double along =
           along_x * (i % kEdge - kEdge / 2) + along_y * (i / kEdge - kEdge / 2) - offset;
       auto& value = input.planes[channel * kPixels + i];

@@ -46,7 +46,8 @@ TEST(Augmentation, MaskNoiseTakesPixelsFromTheOutlineAlone) {
   AugmentationOptions options = kNoAugmentation;
   options.mask_noise = 1;
   std::mt19937_64 first(1), second(1);
-  const EncoderInput whole = augmented(input.planes, input.location, input.planes, kNoAugmentation, first);
+  const EncoderInput whole =
+      augmented(input.planes, input.location, input.planes, kNoAugmentation, first);
   const EncoderInput frayed =
       augmented(input.planes, input.location, input.planes, options, second);
   const auto lost = visible(whole) - visible(frayed);

@@ -31,6 +31,11 @@ struct Percept {
   std::size_t position(std::uint8_t instance) const;
 };
 
+/// Whether an object is told to be like none that was learned: a token fits no symbol, or its
+/// picture is not recognised. @param fits see `Symbolizer::fits` @param recognised see
+/// `Model::recognises`
+bool isLikeNoneLearned(const std::array<bool, kNumConcepts>& fits, bool recognised);
+
 /// A plan to be drawn, and what it starts from.
 struct RenderQuery {
   const RgbdImage& initial;

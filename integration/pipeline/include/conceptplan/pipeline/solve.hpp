@@ -19,7 +19,7 @@ namespace conceptplan {
 
 struct SolveOptions {
   std::uint64_t seed = 0;
-  bool render = true;  ///< draw the best plan's steps, if the scenario wants it and has pictures
+  bool render = true;   ///< draw the best plan's steps, if the scenario wants it and has pictures
   SearchLimits limits;  ///< of compiling, of the search and of the refinement, each
 };
 
