@@ -1,6 +1,7 @@
 # OMPL by its own package configuration, with the target ompl::ompl also where that configuration
 # has none (before 1.7). Its library alone is linked: what else it names there (Boost.Serialization,
-# Boost.Filesystem, ODE) is for programs that use these themselves.
+# Boost.Filesystem, ODE) is for programs that use these themselves. So are folders of headers that are
+# not there: Debian's package of 1.6 names those of the machine that it was built on.
 if(TARGET ompl::ompl)
   set(ompl_FOUND TRUE)
   return()
@@ -18,8 +19,14 @@ find_package_handle_standard_args(ompl REQUIRED_VARS ompl_DIR VERSION_VAR ompl_V
 
 if(ompl_FOUND AND NOT TARGET ompl::ompl)
   list(GET OMPL_LIBRARIES 0 ompl_library)
+  set(ompl_headers ${OMPL_INCLUDE_DIRS})
+  foreach(folder IN LISTS OMPL_INCLUDE_DIRS)
+    if(NOT IS_DIRECTORY ${folder})
+      list(REMOVE_ITEM ompl_headers ${folder})
+    endif()
+  endforeach()
   add_library(ompl::ompl UNKNOWN IMPORTED)
   set_target_properties(ompl::ompl PROPERTIES
     IMPORTED_LOCATION ${ompl_library}
-    INTERFACE_INCLUDE_DIRECTORIES "${OMPL_INCLUDE_DIRS}")
+    INTERFACE_INCLUDE_DIRECTORIES "${ompl_headers}")
 endif()
