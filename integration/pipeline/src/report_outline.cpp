@@ -28,10 +28,10 @@ Edges boundary(const RgbdImage& image, std::uint8_t instance, Point low, Point h
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
       if (!inside(x, y)) continue;
-      if (!inside(x, y - 1)) edges.insert({{x, y}, {x + 1, y}});
-      if (!inside(x + 1, y)) edges.insert({{x + 1, y}, {x + 1, y + 1}});
-      if (!inside(x, y + 1)) edges.insert({{x + 1, y + 1}, {x, y + 1}});
-      if (!inside(x - 1, y)) edges.insert({{x, y + 1}, {x, y}});
+      if (!inside(x, y - 1)) edges.emplace(Point{x, y}, Point{x + 1, y});
+      if (!inside(x + 1, y)) edges.emplace(Point{x + 1, y}, Point{x + 1, y + 1});
+      if (!inside(x, y + 1)) edges.emplace(Point{x + 1, y + 1}, Point{x, y + 1});
+      if (!inside(x - 1, y)) edges.emplace(Point{x, y + 1}, Point{x, y});
     }
   }
   return edges;
