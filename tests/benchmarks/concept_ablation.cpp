@@ -29,8 +29,9 @@ struct Way {
   std::function<void(EncoderInput&)> hides = nullptr;  ///< a part of what is seen
 };
 
-void hidePlane(EncoderInput& input, int plane) {
-  std::fill_n(input.planes.begin() + plane * EncoderInput::kPixels, EncoderInput::kPixels, 0);
+void hideDepth(EncoderInput& input) {
+  std::fill_n(input.planes.begin() + EncoderInput::kDepthPlane * EncoderInput::kPixels,
+              EncoderInput::kPixels, 0);
 }
 
 /// The profile `cpu`, and what each of the others lacks or does instead.
@@ -38,10 +39,8 @@ const std::vector<Way>& ways() {
   using Options = ConceptTrainingOptions;
   static const std::vector<Way> kWays{
       {"cpu", [](Options&) {}},
-      {"no depth", [](Options&) {}, [](auto& in) { hidePlane(in, EncoderInput::kDepthPlane); }},
-      {"no mask", [](Options&) {}, [](auto& in) { hidePlane(in, EncoderInput::kMaskPlane); }},
+      {"no depth", [](Options&) {}, hideDepth},
       {"no place", [](Options&) {}, [](auto& in) { in.location = {}; }},
-      {"whole frames", [](Options& o) { o.encoder = EncoderKind::kFullFrame; }},
       {"no variation", [](Options& o) { o.augmentation = kNoAugmentation; }},
       {"no averaging", [](Options& o) { o.averaging = 0; }},
       {"no decoder", [](Options& o) { o.reconstruction_start = 1; }},
@@ -53,7 +52,9 @@ const std::vector<Way>& ways() {
       {"no revival", [](Options& o) { o.revival_interval = o.encoder_steps + o.sharpening_steps; }},
       {"no certainty", [](Options& o) { o.confidence_weight = 0; }},
       {"half the rate", [](Options& o) { o.learning_rate /= 2; }},
-      {"a third of chains", [](Options& o) { o.chains /= 3; }}};
+      {"a third of chains", [](Options& o) { o.chains /= 3; }},
+      // The last, as each of its steps takes many times as long.
+      {"whole frames", [](Options& o) { o.encoder = EncoderKind::kFullFrame; }}};
   return kWays;
 }
 
@@ -140,6 +141,7 @@ int main(int argc, char** argv) try {
   const std::int64_t steps = std::max(10L, std::atol(argv[2]));
   const auto seed = static_cast<std::uint64_t>(std::atoll(argv[3]));
   std::set<std::string> wanted(argv + 4, argv + argc);
+  const bool wants_all = wanted.empty();
   std::printf(
       "%lld steps, seed %llu, %d threads; share in %% of validation pictures read right, "
       "plain and varied as in training\n%-18s",
@@ -151,7 +153,7 @@ int main(int argc, char** argv) try {
   }
   std::printf("\n");
   for (const Way& way : ways()) {
-    if (!wanted.empty() && !wanted.erase(way.name)) continue;
+    if (!wants_all && wanted.erase(way.name) == 0) continue;
     const Pictures train = picturesOf(data / "concepts-train", SIZE_MAX, way.hides);
     const Pictures clustered = picturesOf(data / "concepts-train", 4'000, way.hides);
     const Pictures plain = picturesOf(data / "concepts-validation", 1'000, way.hides);
