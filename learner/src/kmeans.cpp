@@ -72,6 +72,14 @@ bool hasSmallCluster(const std::vector<std::size_t>& sizes, double least_share) 
 
 }  // namespace
 
+TokenMatrix tokensOf(const std::vector<Tokens>& tokens, Concept which) {
+  TokenMatrix matrix(static_cast<Eigen::Index>(tokens.size()), TokenMatrix::ColsAtCompileTime);
+  for (std::size_t i = 0; i < tokens.size(); ++i)
+    matrix.row(static_cast<Eigen::Index>(i)) =
+        tokens[i].row(static_cast<Eigen::Index>(index(which)));
+  return matrix;
+}
+
 ClusterLayout clusterLayout(const TokenMatrix& points, const TokenMatrix& centers) {
   const Eigen::Index clusters = centers.rows();
   if (clusters == 0 || points.rows() == 0)

@@ -78,52 +78,59 @@ Pictures picturesOf(const std::filesystem::path& folder, std::size_t most,
   return pictures;
 }
 
-TokenMatrix tokensOf(const std::vector<Tokens>& tokens, Concept which) {
-  TokenMatrix matrix(static_cast<Eigen::Index>(tokens.size()), TokenMatrix::ColsAtCompileTime);
-  for (std::size_t i = 0; i < tokens.size(); ++i)
-    matrix.row(static_cast<Eigen::Index>(i)) =
-        tokens[i].row(static_cast<Eigen::Index>(index(which)));
-  return matrix;
-}
-
 /// Share of pictures read right: of each concept, and of all six.
 using Shares = std::array<double, kNumConcepts + 1>;
 
-/// A symbol counts as the value that most training pictures of it show.
-Shares readRight(const ConceptLearner& learner, const Pictures& train, const Pictures& held_out,
-                 std::uint64_t seed) {
-  const std::vector<Tokens> seen = learner.encode(train.inputs);
-  const std::vector<Tokens> read = learner.encode(held_out.inputs);
-  std::vector<bool> all_right(read.size(), true);
-  Shares shares{};
-  const auto share = [&](const std::vector<bool>& right) {
-    return static_cast<double>(std::count(right.begin(), right.end(), true)) /
-           static_cast<double>(right.size());
-  };
+/// What K-means makes of tokens of training pictures, for one concept.
+struct NamedClusters {
+  SymbolClusters clusters;
+  std::vector<std::size_t> values;  ///< that most pictures of each cluster show
+};
+
+std::size_t nearest(const SymbolClusters& clusters, const Tokens& tokens, Concept which) {
+  Eigen::Index symbol = 0;
+  squaredDistances(clusters, tokens.row(static_cast<Eigen::Index>(index(which)))).minCoeff(&symbol);
+  return static_cast<std::size_t>(symbol);
+}
+
+std::vector<NamedClusters> clustersOf(const ConceptLearner& learner, const Pictures& train,
+                                      std::uint64_t seed) {
+  const std::vector<Tokens> tokens = learner.encode(train.inputs);
+  KMeansOptions options;
+  options.seed = seed;
+  std::vector<NamedClusters> named;
   for (const Concept which : kConcepts) {
-    const std::size_t k = index(which), values = kConceptCardinality[k];
-    const auto row = static_cast<Eigen::Index>(k);
-    KMeansOptions options;
-    options.seed = seed;
-    const SymbolClusters clusters{kMeans(tokensOf(seen, which), values, options).centers};
-    const auto symbol = [&](const Tokens& tokens) {
-      Eigen::Index nearest = 0;
-      squaredDistances(clusters, tokens.row(row)).minCoeff(&nearest);
-      return static_cast<std::size_t>(nearest);
-    };
+    const std::size_t values = kConceptCardinality[index(which)];
+    const SymbolClusters clusters{kMeans(tokensOf(tokens, which), values, options).centers};
     std::vector<std::vector<int>> votes(values, std::vector<int>(values, 0));
-    for (std::size_t i = 0; i < seen.size(); ++i) ++votes[symbol(seen[i])][train.values[i][k]];
-    std::vector<bool> right;
-    for (std::size_t i = 0; i < read.size(); ++i) {
-      const std::vector<int>& of_symbol = votes[symbol(read[i])];
-      const auto most = std::max_element(of_symbol.begin(), of_symbol.end()) - of_symbol.begin();
-      right.push_back(most == held_out.values[i][k]);
-      all_right[i] = all_right[i] && right.back();
-    }
-    shares[k] = share(right);
+    for (std::size_t i = 0; i < tokens.size(); ++i)
+      ++votes[nearest(clusters, tokens[i], which)][train.values[i][index(which)]];
+    std::vector<std::size_t> winners;
+    for (const std::vector<int>& of_symbol : votes)
+      winners.push_back(static_cast<std::size_t>(
+          std::max_element(of_symbol.begin(), of_symbol.end()) - of_symbol.begin()));
+    named.push_back({clusters, winners});
   }
-  shares[kNumConcepts] = share(all_right);
-  return shares;
+  return named;
+}
+
+Shares readRight(const ConceptLearner& learner, const std::vector<NamedClusters>& named,
+                 const Pictures& pictures) {
+  const std::vector<Tokens> tokens = learner.encode(pictures.inputs);
+  Shares right{};
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    bool all = true;
+    for (const Concept which : kConcepts) {
+      const auto& [clusters, values] = named[index(which)];
+      const bool one =
+          values[nearest(clusters, tokens[i], which)] == pictures.values[i][index(which)];
+      right[index(which)] += one ? 1 : 0;
+      all = all && one;
+    }
+    right[kNumConcepts] += all ? 1 : 0;
+  }
+  for (double& share : right) share /= static_cast<double>(tokens.size());
+  return right;
 }
 
 void print(const Shares& shares) {
@@ -177,8 +184,9 @@ int main(int argc, char** argv) try {
     const ConceptLearner learner(tensorsOf(*trainer.averaged(), "concepts."), options.encoder,
                                  "ablation");
     std::printf("%-18s", way.name);
-    print(readRight(learner, clustered, plain, seed));
-    print(readRight(learner, clustered, varied, seed));
+    const std::vector<NamedClusters> named = clustersOf(learner, clustered, seed);
+    print(readRight(learner, named, plain));
+    print(readRight(learner, named, varied));
     std::printf("\n");
     std::fflush(stdout);
   }

@@ -74,14 +74,6 @@ ObservedObjects observe(const Run& run, const ConceptDataset& data, std::size_t 
   return observed;
 }
 
-TokenMatrix tokensOf(const std::vector<Tokens>& tokens, Concept which) {
-  TokenMatrix matrix(static_cast<Eigen::Index>(tokens.size()), TokenMatrix::ColsAtCompileTime);
-  for (std::size_t i = 0; i < tokens.size(); ++i)
-    matrix.row(static_cast<Eigen::Index>(i)) =
-        tokens[i].row(static_cast<Eigen::Index>(index(which)));
-  return matrix;
-}
-
 /// The place of each symbol along one axis: the given cells, in the order of the symbols' mean
 /// measured coordinate.
 std::vector<int> orderAlong(const std::vector<Symbols>& symbols, Concept which, std::size_t count,

@@ -9,6 +9,9 @@
 
 namespace conceptplan {
 
+/// The tokens of one concept of each object, in order.
+TokenMatrix tokensOf(const std::vector<Tokens>& tokens, Concept which);
+
 struct KMeansOptions {
   int restarts = 12;  ///< starts by k-means++
   int max_iterations = 100;
