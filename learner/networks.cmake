@@ -36,6 +36,7 @@ conceptplan_library(learner
     include/conceptplan/learner/training/concept_images.hpp
     include/conceptplan/learner/training/concept_training_options.hpp
     include/conceptplan/learner/training/task_sequences.hpp
+    include/conceptplan/learner/turn_residual.hpp
     include/conceptplan/learner/visual_transition.hpp
   SOURCES
     src/effect_context.cpp
@@ -49,6 +50,7 @@ conceptplan_library(learner
     src/picture_residual.cpp
     src/symbolizer.cpp
     src/tensor_file.cpp
+    src/turn_residual.cpp
     src/torch/causal_transition.cpp
     src/torch/checkpoint_identity.cpp
     src/torch/concept_learner.cpp

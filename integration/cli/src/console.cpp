@@ -31,12 +31,12 @@ class ProgressMeter {
   ProgressMeter(Console& console, std::string label)
       : console_(console), label_(std::move(label)), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
-  void show(std::size_t done, std::size_t total, std::string_view note) {
+  void show(std::size_t done, std::size_t total, double share, std::string_view note) {
     const std::lock_guard lock(console_.mutex_);
     if (console_.quiet_) return;
     if (!started_) {  // work that an earlier run did is no measure of speed
       started_ = true;
-      first_done_ = done;
+      first_share_ = share;
       start_ = shown_ = Clock::now();
       return;
     }
@@ -47,7 +47,7 @@ class ProgressMeter {
     }
     shown_ = Clock::now();
     finished_ = last;
-    std::string line = lineText(done, total);
+    std::string line = lineText(done, total, share);
     if (!note.empty()) line += "  " + std::string(note);
     if (!terminal_) {
       console_.writeError(line + "\n");
@@ -58,9 +58,8 @@ class ProgressMeter {
   }
 
  private:
-  std::string lineText(std::size_t done, std::size_t total) const {
+  std::string lineText(std::size_t done, std::size_t total, double share) const {
     static constexpr std::size_t kBarWidth = 24;
-    const double share = total == 0 ? 1 : static_cast<double>(done) / static_cast<double>(total);
     std::string line = label_ + "  ";
     if (terminal_) {
       const auto filled = static_cast<std::size_t>(std::lround(share * kBarWidth));
@@ -69,10 +68,8 @@ class ProgressMeter {
     line += std::to_string(done) + "/" + std::to_string(total);
     const double elapsed_s = secondsSince(start_);
     if (done >= total) return line + "  done in " + durationText(elapsed_s);
-    if (done > first_done_) {
-      const double rate = static_cast<double>(done - first_done_) / elapsed_s;
-      line += "  " + durationText(static_cast<double>(total - done) / rate) + " left";
-    }
+    if (share > first_share_)
+      line += "  " + durationText(elapsed_s * (1 - share) / (share - first_share_)) + " left";
     return line;
   }
 
@@ -81,7 +78,7 @@ class ProgressMeter {
   bool terminal_;
   bool started_ = false;
   bool finished_ = false;
-  std::size_t first_done_ = 0;
+  double first_share_ = 0;
   Clock::time_point start_;
   Clock::time_point shown_;
 };
@@ -134,8 +131,10 @@ Progress Console::progress(std::string label) {
   return Progress(std::make_shared<ProgressMeter>(*this, std::move(label)));
 }
 
-void Progress::operator()(std::size_t done, std::size_t total, std::string_view note) const {
-  meter_->show(done, total, note);
+void Progress::operator()(std::size_t done, std::size_t total, std::string_view note,
+                          std::optional<double> share) const {
+  const double evenly = total == 0 ? 1 : static_cast<double>(done) / static_cast<double>(total);
+  meter_->show(done, total, share.value_or(evenly), note);
 }
 
 void Console::writeError(std::string_view text) {

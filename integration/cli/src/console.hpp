@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,9 @@ class Progress {
   explicit Progress(std::shared_ptr<ProgressMeter> meter) : meter_(std::move(meter)) {}
 
   /// @param note is shown at the end of the line, e.g. the latest loss
-  void operator()(std::size_t done, std::size_t total, std::string_view note = {}) const;
+  /// @param share of the work's time that is done, where not all of it takes equally long
+  void operator()(std::size_t done, std::size_t total, std::string_view note = {},
+                  std::optional<double> share = std::nullopt) const;
 
  private:
   std::shared_ptr<ProgressMeter> meter_;

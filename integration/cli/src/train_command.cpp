@@ -80,7 +80,7 @@ int trainStages(TrainCommandOptions options, Session& session) {
     }
     std::string note = time_left.inAll(state);
     if (!state.message.empty()) note += (note.empty() ? "" : "  ") + state.message;
-    (*progress)(state.done, state.total, note);
+    (*progress)(state.done, state.total, note, state.share);
   };
   control.warning = [&session](const std::string& text) {
     session.console.message("warning: " + text);

@@ -40,8 +40,8 @@ bool trainConcepts(const Run& run, ModelManifest&) {
                                   {"reading", losses.reading}}
         .dump();
   };
-  // 3,400 of the profile's 8,400 steps teach tokens, and take 55 % of the time.
-  constexpr double kTokenStepCost = 1.8;
+  // 3,400 of the profile's 8,400 steps teach tokens, and take 63 % of the time.
+  constexpr double kTokenStepCost = 2.5;
   const Phases phases{options.encoder_steps + options.sharpening_steps, kTokenStepCost,
                       trainer.stepsInAll()};
   if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, phases, describe)) return false;

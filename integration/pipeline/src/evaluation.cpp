@@ -21,15 +21,15 @@ struct TaskResult {
 };
 
 /// Counts the objects of the first picture.
-void countObjects(const Task& task, const Percept& initial, const std::vector<bool>& recognised,
-                  TaskResult& result) {
+void countObjects(const Task& task, const TaskReading& read, TaskResult& result) {
+  const Percept& initial = read.initial;
   for (std::size_t i = 0; i < initial.instances.size(); ++i) {
     const std::size_t at = initial.instances[i] - 1U;
     if (at >= task.initial.objects.size()) continue;
     const bool seen = static_cast<std::size_t>(task.initial.objects[at].type) < kNumSeenTypes;
     ToldObjects& count = seen ? result.seen_types : result.unseen_types;
     ++count.objects;
-    if (isLikeNoneLearned(initial.fits[i], recognised[i])) ++count.told;
+    if (isLikeNoneLearned(initial.fits[i], read.initial_recognised[i])) ++count.told;
   }
 }
 
@@ -39,10 +39,9 @@ void add(const ToldObjects& part, ToldObjects& sum) {
 }
 
 /// The problem that two pictures pose; nothing if the target is hidden in one of them.
-std::optional<SymbolicProblem> readProblem(const Task& task, const Percept& initial,
-                                           const Percept& goal) {
+std::optional<SymbolicProblem> readProblem(const Task& task, const TaskReading& read) {
   try {
-    return problemOf(initial, goal, static_cast<std::uint8_t>(task.initial.target + 1));
+    return problemOf(read.initial, read.goal, static_cast<std::uint8_t>(task.initial.target + 1));
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
@@ -102,11 +101,10 @@ std::vector<EvaluationRow> evaluate(const TaskDataset& tasks, const Model& model
   const auto evaluateTask = [&](std::size_t i) {
     const Task& task = tasks.tasks()[i];
     TaskResult& result = results[i];
-    const RgbdImage picture = tasks.frame(task, 0);
-    const Percept initial = model.perceive(picture);
-    const Percept goal = model.perceive(tasks.frame(task, static_cast<int>(task.reference.size())));
-    countObjects(task, initial, model.recognises(picture, initial), result);
-    const auto problem = readProblem(task, initial, goal);
+    const TaskReading read = model.readTask(
+        tasks.frame(task, 0), tasks.frame(task, static_cast<int>(task.reference.size())));
+    countObjects(task, read, result);
+    const auto problem = readProblem(task, read);
     std::optional<SymbolGraph> graph;
     if (problem) graph = compile(model.symbolic(), *problem, validity);
     for (const std::unique_ptr<Planner>& planner : planners) {

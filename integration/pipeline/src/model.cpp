@@ -13,6 +13,7 @@
 #include "conceptplan/domain/object_crop.hpp"
 #include "conceptplan/learner/background.hpp"
 #include "conceptplan/learner/effect_context.hpp"
+#include "half_turn.hpp"
 #include "observed_frame.hpp"
 #include "torch_threads.hpp"
 
@@ -201,6 +202,27 @@ std::vector<bool> Model::recognises(const RgbdImage& image, const Percept& perce
     recognised.push_back(residual.within(parts_->symbols.most_residual));
   }
   return recognised;
+}
+
+TaskReading Model::readTask(const RgbdImage& initial, const RgbdImage& goal) const {
+  TaskReading read{perceive(initial), perceive(goal), {}, {}, {}};
+  read.initial_recognised = recognises(initial, read.initial);
+  read.goal_recognised = recognises(goal, read.goal);
+  read.turned_round.assign(read.goal.instances.size(), false);
+  for (std::size_t i = 0; i < read.goal.instances.size(); ++i) {
+    const std::uint8_t instance = read.goal.instances[i];
+    const std::size_t before = read.initial.position(instance);
+    if (before == read.initial.instances.size()) continue;
+    if (!isLikeNoneLearned(read.initial.fits[before], read.initial_recognised[before]) &&
+        !isLikeNoneLearned(read.goal.fits[i], read.goal_recognised[i]))
+      continue;
+    SymbolBelief& belief = read.goal.beliefs[i];
+    read.turned_round[i] =
+        isTurnedRound(parts_->symbolic, {initial, instance, read.initial.beliefs[before]},
+                      {goal, instance, belief});
+    if (read.turned_round[i]) belief = turnedRound(parts_->symbolic, belief);
+  }
+  return read;
 }
 
 std::vector<RgbdImage> Model::render(const RgbdImage& initial, const Percept& percept,

@@ -94,18 +94,22 @@ std::vector<RgbdImage> simulatedFrames(const Reference& reference, const Solutio
   return frames;
 }
 
+/// What an object of either picture is called. The solution has the names of those of the first.
+std::string nameOf(const Percept& percept, std::size_t object, const SymbolGrounding& grounding,
+                   const Solution& solution) {
+  const std::uint8_t instance = percept.instances[object];
+  const auto known = std::ranges::find(solution.instances, instance);
+  return known == solution.instances.end()
+             ? objectName(grounding, percept.beliefs[object], instance)
+             : solution.names[static_cast<std::size_t>(known - solution.instances.begin())];
+}
+
 /// Tells of symbols that are guesses. The solution has the names of the objects already.
-void addDoubts(const std::string& picture, const RgbdImage& image, const Percept& percept,
-               const Model& model, Solution& solution) {
-  const SymbolGrounding& grounding = model.symbolic().grounding;
-  const std::vector<bool> recognised = model.recognises(image, percept);
+void addDoubts(const std::string& picture, const Percept& percept,
+               const std::vector<bool>& recognised, const SymbolGrounding& grounding,
+               Solution& solution) {
   for (std::size_t i = 0; i < percept.instances.size(); ++i) {
-    const std::uint8_t instance = percept.instances[i];
-    const auto known = std::ranges::find(solution.instances, instance);
-    const std::string object =
-        known == solution.instances.end()
-            ? objectName(grounding, percept.beliefs[i], instance)
-            : solution.names[static_cast<std::size_t>(known - solution.instances.begin())];
+    const std::string object = nameOf(percept, i, grounding, solution);
     const Symbols symbols = mostProbable(percept.beliefs[i]);
     for (const Concept which : kConcepts)
       if (!percept.fits[i][index(which)])
@@ -149,12 +153,17 @@ void takeTargets(JointProblem problem, Solution& solution) {
 /// Reads what two pictures show into the solution. @returns what was read of the first one
 Percept readPictures(const Scenario& scenario, const PictureInput& pictures, const Model& model,
                      Solution& solution) {
-  Percept initial = model.perceive(pictures.initial);
-  const Percept goal = model.perceive(pictures.goal);
+  TaskReading read = model.readTask(pictures.initial, pictures.goal);
+  const Percept &initial = read.initial, &goal = read.goal;
   const SymbolGrounding& grounding = model.symbolic().grounding;
   takeObjects(initial.instances, initial.beliefs, grounding, solution);
-  addDoubts("initial", pictures.initial, initial, model, solution);
-  addDoubts("goal", pictures.goal, goal, model, solution);
+  addDoubts("initial", initial, read.initial_recognised, grounding, solution);
+  addDoubts("goal", goal, read.goal_recognised, grounding, solution);
+  for (std::size_t i = 0; i < goal.instances.size(); ++i)
+    if (read.turned_round[i])
+      solution.doubts.push_back("How " + nameOf(goal, i, grounding, solution) +
+                                " is turned in the goal picture was measured against the initial "
+                                "one; alone it looks turned the other way round.");
   const bool several = !scenario.targets.empty();
   try {
     if (several) {
@@ -165,7 +174,7 @@ Percept readPictures(const Scenario& scenario, const PictureInput& pictures, con
   } catch (const std::invalid_argument& error) {
     throw InputError({scenario.fault(several ? "targets" : "target", error.what())});
   }
-  return initial;
+  return std::move(read.initial);
 }
 
 void readSymbols(const Scenario& scenario, const Model& model, Solution& solution) {

@@ -84,6 +84,7 @@ void Run::report(TrainingProgress progress, double share) const {
   whole.reach(progress.stage, share);
   progress.stage_number = stage_number;
   progress.num_stages = num_stages;
+  progress.share = share;
   progress.worked = whole.worked();
   progress.left = whole.left();
   control.progress(progress);

@@ -107,7 +107,7 @@ bool trainVict(const Run& run, ModelManifest& manifest) {
                                   {"reconstruction", losses.reconstruction}}
         .dump();
   };
-  constexpr double kTransitionStepCost = 0.1;  // perceptrons on tokens, against pictures
+  constexpr double kTransitionStepCost = 0.3;  // perceptrons on tokens, against pictures
   const Phases phases{run.profile.vict.transition_steps, kTransitionStepCost, trainer.stepsInAll()};
   if (!runSteps(run, TrainingStage::kTrainVict, trainer, phases, describe)) return false;
   writeFileAtomically(run.options.model / kVictFile,

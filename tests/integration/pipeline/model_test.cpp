@@ -52,6 +52,55 @@ TEST(Model, ReadsManyPicturesAsEachAlone) {
   }
 }
 
+/// By how many quarter turns instance 1 is read as turned.
+int turnsOf(const Percept& initial, const Percept& goal) {
+  const auto rotation = [](const Percept& percept) {
+    const Symbols symbols = mostProbable(percept.beliefs[percept.position(1)]);
+    const std::size_t k = index(Concept::kRotation);
+    return static_cast<int>(shippedModel().symbols().values[k][index(symbols[k])]);
+  };
+  return (rotation(goal) - rotation(initial) + 4) % 4;
+}
+
+/// Half a turn of objects like none that was learned, each dyed and moved as well.
+TEST(ReadTask, MeasuresHowUnlearnedObjectsAreTurned) {
+  Renderer renderer;
+  int tasks = 0, right = 0, right_alone = 0, turned_round = 0;
+  for (const ObjectType type : {ObjectType::kCellphone, ObjectType::kPotato})
+    for (int rotation = 0; rotation < 4; ++rotation)
+      for (int color = 0; color < 3; ++color) {
+        World before, after;
+        before.objects = {{type, {0, 1}, rotation, color, 3}};
+        after.objects = {{type, {2, 2}, (rotation + 2) % 4, color + 3, 3}};
+        const RgbdImage initial = renderer.render(before, {5, {}});
+        const RgbdImage goal = renderer.render(after, {5, {}});
+        const Percept alone[] = {shippedModel().perceive(initial), shippedModel().perceive(goal)};
+        const TaskReading read = shippedModel().readTask(initial, goal);
+        EXPECT_EQ(read.initial.beliefs, alone[0].beliefs);
+        ++tasks;
+        right += turnsOf(read.initial, read.goal) == 2 ? 1 : 0;
+        right_alone += turnsOf(alone[0], alone[1]) == 2 ? 1 : 0;
+        turned_round += read.turned_round.front() ? 1 : 0;
+        EXPECT_EQ(read.turned_round.front(), read.goal.beliefs != alone[1].beliefs);
+      }
+  EXPECT_GE(right, tasks - 2);
+  EXPECT_GT(right, right_alone);
+  EXPECT_GT(turned_round, 0);
+}
+
+TEST(ReadTask, ReadsLearnedObjectsAsEachPictureAlone) {
+  Renderer renderer;
+  World after = cupAndPot();
+  after.objects[0].rotation = 3;
+  const RgbdImage initial = renderer.render(cupAndPot(), {11, {}});
+  const RgbdImage goal = renderer.render(after, {11, {}});
+  const TaskReading read = shippedModel().readTask(initial, goal);
+  EXPECT_EQ(read.initial.beliefs, shippedModel().perceive(initial).beliefs);
+  EXPECT_EQ(read.goal.beliefs, shippedModel().perceive(goal).beliefs);
+  EXPECT_EQ(read.turned_round, std::vector<bool>(2, false));
+  EXPECT_EQ(read.goal_recognised, shippedModel().recognises(goal, read.goal));
+}
+
 TEST(Model, DrawsEveryStepOfAPlan) {
   Renderer renderer;
   const RgbdImage image = renderer.render(cupAndPot(), {11, {}});

@@ -31,6 +31,17 @@ struct Percept {
   std::size_t position(std::uint8_t instance) const;
 };
 
+/// What was read of the pictures before and after a task.
+struct TaskReading {
+  Percept initial;
+  Percept goal;
+  std::vector<bool> initial_recognised;  ///< see `Model::recognises`
+  std::vector<bool> goal_recognised;
+  /// Of each object of `goal`: whether its ROTATION is the opposite of what its tokens say, see
+  /// `Model::readTask`.
+  std::vector<bool> turned_round;
+};
+
 /// Whether an object is told to be like none that was learned: a token fits no symbol, or its
 /// picture is not recognised. @param fits see `Symbolizer::fits` @param recognised see
 /// `Model::recognises`
@@ -80,6 +91,14 @@ class Model {
   /// else it is like none that was learned, and its symbols are guesses. It takes about as long as
   /// to perceive. @throws std::invalid_argument if the percept is not of that picture.
   std::vector<bool> recognises(const RgbdImage& image, const Percept& percept) const;
+
+  /// Reads both pictures of a task. The tokens of an object like none that was learned may take its
+  /// ROTATION for the opposite one. How it was turned between the pictures shows without learning
+  /// it
+  /// (`turnResidual`): where half a turn more than its tokens say fits them much better, the goal's
+  /// belief in its ROTATION is that half turn on, by the effect that was learned of turning.
+  /// @throws std::invalid_argument if a picture is not of the standard camera's size.
+  TaskReading readTask(const RgbdImage& initial, const RgbdImage& goal) const;
 
   /// The picture, depth and mask after each step of a plan, as ViCT predicts them, [actions].
   /// Tokens go through the causal transition; one that then reads as another symbol than the plan

@@ -36,6 +36,7 @@ struct TrainingProgress {
   std::string message;    ///< the latest losses, or empty
   int stage_number = 1;   ///< the stage's number among those of the call, from 1
   int num_stages = 1;     ///< stages of the call
+  double share = 0;       ///< of the time of this work that is done, 0 to 1
   /// What the call has done and has left to do, in typical time: `left / worked` of the time since
   /// the first report is left.
   double worked = 0;
