@@ -12,10 +12,9 @@ int main(int argc, char** argv) try {
   if (argc != 3) throw std::invalid_argument("expected two pictures");
   const RgbdImage picture = readRgbdImage(rgbdPaths(argv[1]));
   const Model model(findModel("default"));
-  const Percept now = model.perceive(picture);
-  const Percept wanted = model.perceive(readRgbdImage(rgbdPaths(argv[2])));
+  const TaskReading read = model.readTask(picture, readRgbdImage(rgbdPaths(argv[2])));
 
-  for (const SymbolBelief& belief : now.beliefs) {
+  for (const SymbolBelief& belief : read.initial.beliefs) {
     const Symbols symbols = mostProbable(belief);
     for (const Concept which : kConcepts) {
       const SymbolId symbol = symbols[index(which)];
@@ -25,12 +24,12 @@ int main(int argc, char** argv) try {
     std::cout << '\n';
   }
 
-  const SymbolicProblem problem = problemOf(now, wanted, std::nullopt);
+  const SymbolicProblem problem = problemOf(read.initial, read.goal, std::nullopt);
   const SymbolGraph graph = compile(model.symbolic(), problem, FclValidity());
   const PlanResult result = BeliefPlanner().solve(graph, {});
   if (result.plans.empty()) throw std::runtime_error(result.reason);
-  const std::uint8_t target = now.instances[problem.initial.target];
-  const auto frames = model.render(picture, now, target, result.plans.front());
+  const std::uint8_t target = read.initial.instances[problem.initial.target];
+  const auto frames = model.render(picture, read.initial, target, result.plans.front());
   for (std::size_t step = 0; step < frames.size(); ++step) {
     writeRgbdImage("step-" + std::to_string(step + 1), frames[step]);
   }
