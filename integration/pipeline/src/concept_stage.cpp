@@ -42,9 +42,10 @@ bool trainConcepts(const Run& run, ModelManifest&) {
   };
   // 3,400 of the profile's 8,400 steps teach tokens, and take 63 % of the time.
   constexpr double kTokenStepCost = 2.5;
-  const Phases phases{options.encoder_steps + options.sharpening_steps, kTokenStepCost,
-                      trainer.stepsInAll()};
-  if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, phases, describe)) return false;
+  const auto phases_of = [&trainer] {
+    return Phases{trainer.tokenSteps(), kTokenStepCost, trainer.stepsInAll()};
+  };
+  if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, phases_of, describe)) return false;
   writeFileAtomically(
       run.options.model / kConceptsFile,
       encodeTensors(tensorsOf(*trainer.averaged(), "concepts."), TensorPrecision::kFloat16));

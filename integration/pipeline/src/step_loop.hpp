@@ -29,10 +29,11 @@ struct Phases {
 
 /// Runs a trainer's steps until all are done or the run is cancelled, with progress, a log line
 /// every hundred steps, and a checkpoint at the profile's interval. `trainer` has step(),
-/// stepsDone(), checkpoint() and restore(); `describe` gives the JSON of the latest losses.
+/// stepsDone(), stepsInAll(), checkpoint() and restore(). `phases_of` gives the phases, which may
+/// become longer, and `describe` the JSON of the latest losses.
 /// @returns false if cancelled. @throws InputError for a checkpoint of another run.
-template <typename Trainer, typename Describe>
-bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const Phases& phases,
+template <typename Trainer, typename PhasesOf, typename Describe>
+bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const PhasesOf& phases_of,
               const Describe& describe) {
   using Clock = std::chrono::steady_clock;
   constexpr std::int64_t kLogEvery = 100;
@@ -47,13 +48,14 @@ bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const Phase
             "is not a checkpoint of this stage and profile; remove it to begin anew"}});
     }
   auto saved = Clock::now();
-  while (trainer.stepsDone() < phases.steps) {
+  while (trainer.stepsDone() < trainer.stepsInAll()) {
     if (run.cancelled()) {
       writeFileAtomically(path, trainer.checkpoint());
       return false;
     }
     const std::string losses = describe(trainer.step());
     const std::int64_t done = trainer.stepsDone();
+    const Phases phases = phases_of();
     run.report({std::string(name(stage)), static_cast<std::size_t>(done),
                 static_cast<std::size_t>(phases.steps), losses},
                phases.share(done));

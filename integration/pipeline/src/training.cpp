@@ -37,6 +37,7 @@ Profile smokeProfile() {
   profile.validation_images = 240;
   profile.checkpoint_interval = std::chrono::seconds(0);
   profile.concepts.encoder_steps = 2;
+  profile.concepts.most_repairs = 0;
   profile.concepts.sharpening_steps = 1;
   profile.concepts.drawer_steps = 1;
   profile.concepts.chains = 2;

@@ -108,8 +108,10 @@ bool trainVict(const Run& run, ModelManifest& manifest) {
         .dump();
   };
   constexpr double kTransitionStepCost = 0.3;  // perceptrons on tokens, against pictures
-  const Phases phases{run.profile.vict.transition_steps, kTransitionStepCost, trainer.stepsInAll()};
-  if (!runSteps(run, TrainingStage::kTrainVict, trainer, phases, describe)) return false;
+  const auto phases_of = [&] {
+    return Phases{run.profile.vict.transition_steps, kTransitionStepCost, trainer.stepsInAll()};
+  };
+  if (!runSteps(run, TrainingStage::kTrainVict, trainer, phases_of, describe)) return false;
   writeFileAtomically(run.options.model / kVictFile,
                       encodeTensors(trainer.tensors(), TensorPrecision::kFloat16));
   return true;

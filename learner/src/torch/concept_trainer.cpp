@@ -21,6 +21,9 @@ constexpr std::int64_t kChainImages = 1 + static_cast<std::int64_t>(kNumConcepts
 constexpr double kDeadShare = 0.2;
 /// Batches that are read to see which prototypes are dead.
 constexpr std::int64_t kUseBatches = 4;
+/// With more than this share of either kind of pairs told wrongly values share prototypes. Of eight
+/// values the pair that is hardest to tell is 1 of 28.
+constexpr double kMostWrongPairs = 0.01;
 
 /// One batch of chains.
 struct ChainBatch {
@@ -99,6 +102,8 @@ CheckpointIdentity identityOf(const ConceptImages& images, const ConceptTraining
   identity.add("start_from", options.start_from);
   identity.add("encoder", std::string(name(options.encoder)));
   identity.add("encoder_steps", options.encoder_steps);
+  identity.add("repair_steps", options.repair_steps);
+  identity.add("most_repairs", options.most_repairs);
   identity.add("sharpening_steps", options.sharpening_steps);
   identity.add("drawer_steps", options.drawer_steps);
   identity.add("chains", options.chains);
@@ -175,8 +180,11 @@ ConceptLosses ConceptTrainer::step() {
   const auto progress = [this](std::int64_t begin, std::int64_t steps) {
     return static_cast<double>(steps_done_ - begin) / static_cast<double>(steps);
   };
-  const std::int64_t sharpening_from = options_.encoder_steps;
-  const std::int64_t drawer_from = sharpening_from + options_.sharpening_steps;
+  if (options_.encoder_steps > 0 && steps_done_ == firstPhaseSteps() &&
+      repairs_ < options_.most_repairs && prototypesShareValues(generator))
+    ++repairs_;
+  const std::int64_t sharpening_from = firstPhaseSteps(), drawer_from = tokenSteps();
+  const std::int64_t course_steps = repairs_ > 0 ? options_.repair_steps : options_.encoder_steps;
   const std::int64_t settled_from = drawer_from - options_.revival_interval;
   if (options_.pair_weight > 0 && steps_done_ > 0 && steps_done_ < settled_from &&
       steps_done_ % options_.revival_interval == 0)
@@ -184,7 +192,8 @@ ConceptLosses ConceptTrainer::step() {
   // The third phase draws from the tokens of the network that is kept.
   if (steps_done_ == drawer_from) copyParameters(*network_, *average_);
   const ConceptLosses losses =
-      steps_done_ < sharpening_from ? tokenStep(generator, progress(0, sharpening_from), false)
+      steps_done_ < sharpening_from
+          ? tokenStep(generator, progress(sharpening_from - course_steps, course_steps), false)
       : steps_done_ < drawer_from
           ? tokenStep(generator, progress(sharpening_from, options_.sharpening_steps), true)
           : drawerStep(generator, progress(drawer_from, options_.drawer_steps));
@@ -248,6 +257,27 @@ void ConceptTrainer::revivePrototypes(std::mt19937_64& generator) {
       use[k] = use[busiest];
     }
   }
+}
+
+bool ConceptTrainer::prototypesShareValues(std::mt19937_64& generator) {
+  const torch::NoGradGuard no_gradient;
+  const std::int64_t chains = kUseBatches * options_.chains;
+  const ChainBatch batch = drawBatch(images_, sampler_, chains, kNoAugmentation, generator);
+  const torch::Tensor tokens = readBatch(network_, batch.images).tokens;
+  const auto all = torch::ones({kChainImages, kChainImages}).triu(1);  // each pair once
+  return std::ranges::any_of(kConcepts, [&](Concept which) {
+    const auto values =
+        network_->prototypeLogits(tokens, which).argmax(-1).view({chains, kChainImages});
+    const auto& changed = batch.changed[index(which)];
+    const auto apart = (values.unsqueeze(1) != values.unsqueeze(2)).to(torch::kFloat);
+    const auto differ = (changed.unsqueeze(1) != changed.unsqueeze(2)) * all;
+    const auto agree = all - differ;
+    const auto share = [](const torch::Tensor& wrong, const torch::Tensor& of) {
+      return wrong.sum().item<double>() / std::max(1.0, of.sum().item<double>());
+    };
+    return share(differ * (1 - apart), differ) > kMostWrongPairs ||
+           share(agree * apart, agree) > kMostWrongPairs;
+  });
 }
 
 ConceptLosses ConceptTrainer::drawerStep(std::mt19937_64& generator, double progress) {
@@ -320,6 +350,7 @@ std::string ConceptTrainer::checkpoint() const {
   archive.write("average", average);
   archive.write("optimizer", optimizer);
   archive.write("steps_done", torch::tensor(steps_done_));
+  archive.write("repairs", torch::tensor(repairs_));
   std::ostringstream bytes;
   archive.save_to(bytes);
   return bytes.str();
@@ -333,12 +364,14 @@ void ConceptTrainer::restore(const std::string& checkpoint, const std::filesyste
   archive.read("network", network);
   archive.read("average", average);
   archive.read("optimizer", optimizer);
-  torch::Tensor steps_done;
+  torch::Tensor steps_done, repairs;
   archive.read("steps_done", steps_done);
+  archive.read("repairs", repairs);
   network_->load(network);
   average_->load(average);
   optimizer_.load(optimizer);
   steps_done_ = steps_done.item<std::int64_t>();
+  repairs_ = repairs.item<std::int64_t>();
 }
 
 }  // namespace conceptplan

@@ -7,6 +7,7 @@ ConceptTrainingOptions paperConceptTraining() {
   options.encoder = EncoderKind::kFullFrame;
   options.chains = 8;
   options.reconstruction_start = 0;
+  options.most_repairs = 0;
   options.sharpening_steps = 0;
   options.drawer_steps = 0;
   options.learning_rate = 3e-4;

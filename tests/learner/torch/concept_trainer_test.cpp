@@ -25,6 +25,7 @@ ConceptImages twoConcepts() {
 ConceptTrainingOptions smallOptions() {
   ConceptTrainingOptions options;
   options.encoder_steps = 60;
+  options.most_repairs = 0;
   options.sharpening_steps = 0;
   options.drawer_steps = 0;
   options.chains = 2;
@@ -86,22 +87,70 @@ TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
   options.encoder_steps = options.sharpening_steps = options.drawer_steps = 2;
+  options.repair_steps = 2;
+  options.most_repairs = 1;
   ConceptTrainer whole(images, options);
-  for (int i = 0; i < 6; ++i) whole.step();
+  while (whole.stepsDone() < whole.stepsInAll()) whole.step();
+  EXPECT_EQ(whole.stepsDone(), 8);
+  const auto expected = tensorsOf(*whole.averaged(), "");
 
-  std::string checkpoint;
-  {
-    ConceptTrainer first(images, options);
-    for (int i = 0; i < 5; ++i) first.step();
-    checkpoint = first.checkpoint();
+  for (const std::int64_t cut : {2, 3, 7}) {  // before and in the repair, and in the third phase
+    std::string checkpoint;
+    {
+      ConceptTrainer first(images, options);
+      while (first.stepsDone() < cut) first.step();
+      checkpoint = first.checkpoint();
+    }
+    ConceptTrainer second(images, options);
+    second.restore(checkpoint);
+    EXPECT_EQ(second.stepsDone(), cut);
+    while (second.stepsDone() < second.stepsInAll()) second.step();
+    EXPECT_EQ(second.stepsDone(), 8);
+    const auto found = tensorsOf(*second.averaged(), "");
+    for (const auto& [name, tensor] : expected)
+      EXPECT_EQ(tensor.values, found.at(name).values) << name << " cut at " << cut;
   }
-  ConceptTrainer second(images, options);
-  second.restore(checkpoint);
-  EXPECT_EQ(second.stepsDone(), 5);
-  while (second.stepsDone() < 6) second.step();
-  const auto expected = tensorsOf(*whole.averaged(), ""), found = tensorsOf(*second.averaged(), "");
-  for (const auto& [name, tensor] : expected)
-    EXPECT_EQ(tensor.values, found.at(name).values) << name;
+}
+
+TEST(ConceptTrainer, TheFirstPhaseGoesOnWhereValuesShareAPrototype) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.learning_rate = options.averaging = 0;
+  options.encoder_steps = 4;
+  options.repair_steps = 3;
+  options.most_repairs = 2;
+  options.sharpening_steps = 2;
+  ConceptTrainer trainer(images, options);
+  const ConceptNetwork network = trainer.averaged();
+  {
+    const torch::NoGradGuard no_gradient;
+    const auto& prototypes = network->prototypes(Concept::kColor);
+    prototypes.copy_(prototypes[0].clone().expand_as(prototypes));
+  }
+  trainer.startFrom(tensorsOf(*network, "concepts."), "");
+  std::vector<std::int64_t> steps_in_all;
+  std::vector<bool> drawing;
+  while (trainer.stepsDone() < trainer.stepsInAll()) {
+    drawing.push_back(trainer.step().reconstruction > 0);
+    steps_in_all.push_back(trainer.stepsInAll());
+  }
+  // The decoder joins in the second half of the first phase and of each time that it goes on.
+  EXPECT_THAT(steps_in_all, testing::ElementsAre(6, 6, 6, 6, 9, 9, 9, 12, 12, 12, 12, 12));
+  EXPECT_THAT(drawing, testing::ElementsAre(false, false, true, true, false, false, true, false,
+                                            false, true, false, false));
+}
+
+TEST(ConceptTrainer, TheFirstPhaseEndsWhereAllPairsAreTold) {
+  const ConceptImages images = twoConcepts();
+  ConceptTrainingOptions options = smallOptions();
+  options.use_weight = 0;  // four of the concepts have but one value here
+  options.reconstruction_start = 1;
+  options.encoder_steps = 100;
+  options.sharpening_steps = 1;
+  options.most_repairs = 4;
+  ConceptTrainer trainer(images, options);
+  while (trainer.stepsDone() < trainer.stepsInAll()) trainer.step();
+  EXPECT_EQ(trainer.stepsDone(), 101);
 }
 
 /// The third phase alone.

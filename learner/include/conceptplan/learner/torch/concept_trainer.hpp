@@ -49,9 +49,9 @@ class ConceptTrainer {
   /// @pre not all steps are done
   ConceptLosses step();
   std::int64_t stepsDone() const { return steps_done_; }
-  std::int64_t stepsInAll() const {
-    return options_.encoder_steps + options_.sharpening_steps + options_.drawer_steps;
-  }
+  /// Of the first two phases; more once the first one goes on for a repair.
+  std::int64_t tokenSteps() const { return firstPhaseSteps() + options_.sharpening_steps; }
+  std::int64_t stepsInAll() const { return tokenSteps() + options_.drawer_steps; }
 
   /// The network with the moving average of its weights; shares nothing with the one in training.
   ConceptNetwork averaged() const;
@@ -64,6 +64,10 @@ class ConceptTrainer {
   void restore(const std::string& checkpoint, const std::filesystem::path& path = "checkpoint");
 
  private:
+  std::int64_t firstPhaseSteps() const {
+    return options_.encoder_steps + repairs_ * options_.repair_steps;
+  }
+
   /// The guard, which holds the seed, lives while the networks draw their weights.
   ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options,
                  const GeneratorGuard& guard);
@@ -75,6 +79,9 @@ class ConceptTrainer {
   /// values share one, and a softmax passes hardly a gradient to a prototype out of reach.
   /// Source: the random restarts of Sec. 3.1 of Jukebox, arXiv 2005.00341.
   void revivePrototypes(std::mt19937_64& generator);
+  /// Whether plain training pictures show that two values share a prototype, or one value has two:
+  /// pairs known to differ that are in one, or pairs known to agree that are not.
+  bool prototypesShareValues(std::mt19937_64& generator);
   void descend(const torch::Tensor& loss, double progress, double rate_share);
 
   const ConceptImages& images_;
@@ -85,6 +92,7 @@ class ConceptTrainer {
   ConceptNetwork average_;
   torch::optim::AdamW optimizer_;
   std::int64_t steps_done_ = 0;
+  std::int64_t repairs_ = 0;  ///< times that the first phase went on
 };
 
 }  // namespace conceptplan
