@@ -53,6 +53,9 @@ struct VisiblePoint {
   Paint paint;
 };
 
+/// Whether a depth picture says how far something is.
+bool isKnown(float depth_m) { return std::isfinite(depth_m) && depth_m > 0; }
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -76,18 +79,18 @@ class Surface {
     int left = image_.width, right = -1, top = image_.height, bottom = -1;
     for (int v = 0; v < image_.height; ++v)
       for (int u = 0; u < image_.width; ++u) {
-        if (image_.mask[at(u, v)] != instance_ || !(image_.depth_m[at(u, v)] > 0)) continue;
+        if (image_.mask[at(u, v)] != instance_ || !isKnown(image_.depth_m[at(u, v)])) continue;
         pixels.push_back(v * image_.width + u);
         left = std::min(left, u), right = std::max(right, u);
         top = std::min(top, v), bottom = std::max(bottom, v);
       }
     if (pixels.empty()) return;
     std::vector<double> floor_m;
-    for (int v = std::max(0, top - kMargin_px); v < std::min(image_.height, bottom + kMargin_px);
-         ++v)
-      for (int u = std::max(0, left - kMargin_px); u < std::min(image_.width, right + kMargin_px);
-           ++u)
-        if (image_.mask[at(u, v)] == 0 && image_.depth_m[at(u, v)] > 0)
+    left = std::max(0, left - kMargin_px), right = std::min(image_.width - 1, right + kMargin_px);
+    top = std::max(0, top - kMargin_px), bottom = std::min(image_.height - 1, bottom + kMargin_px);
+    for (int v = top; v <= bottom; ++v)
+      for (int u = left; u <= right; ++u)
+        if (image_.mask[at(u, v)] == 0 && isKnown(image_.depth_m[at(u, v)]))
           floor_m.push_back(p_W(u, v).z());
     p_WFoot_ << view.p_WAxis, median(std::move(floor_m));
     for (std::size_t i = 0; i < pixels.size(); i += kStride) {
@@ -107,8 +110,11 @@ class Surface {
       p_A.head<2>() = turn * point.p_A.head<2>() + moved_m;
       const Vector3d p_C = X_CW_ * (p_WFoot_ + p_A);
       const Vector2d pixel = camera_.center_px + camera_.focal_px * p_C.head<2>() / p_C.z();
-      sum += contradiction(point.paint, static_cast<int>(std::floor(pixel.x())),
-                           static_cast<int>(std::floor(pixel.y())), p_C.z());
+      const bool in_view = p_C.z() > 0 && pixel.x() >= 0 && pixel.x() < image_.width &&
+                           pixel.y() >= 0 && pixel.y() < image_.height;
+      sum += in_view ? contradiction(point.paint, static_cast<int>(pixel.x()),
+                                     static_cast<int>(pixel.y()), p_C.z())
+                     : kHidden;
     }
     return sum / static_cast<double>(points.size());
   }
@@ -126,13 +132,15 @@ class Surface {
       for (int du = -1; du <= 1; ++du)
         least = std::min(least, kPixelPenalty * (du * du + dv * dv) +
                                     contradictionAt(paint, u + du, v + dv, depth_m));
-    return least;
+    return std::isfinite(least) ? least : kHidden;
   }
 
+  /// Infinite where nothing is known.
   double contradictionAt(const Paint& paint, int u, int v, double depth_m) const {
     if (u < 0 || u >= image_.width || v < 0 || v >= image_.height) return kHidden;
     const std::size_t pixel = at(u, v);
     const double seen_m = image_.depth_m[pixel];
+    if (!isKnown(image_.depth_m[pixel])) return std::numeric_limits<double>::infinity();
     if (image_.mask[pixel] != instance_)
       return image_.mask[pixel] != 0 && seen_m < depth_m ? kHidden : kContradicted;
     if (depth_m > seen_m + kSameDepth_m) return kHidden;
@@ -180,7 +188,8 @@ double turnResidual(const ObjectView& before, const ObjectView& after, int quart
     return best;
   };
   // An axis that is off in both pictures moves what turns about it.
-  const Vector2d coarse_m = search(kCoarseSteps, kCoarse_m, [&](const Vector2d& off_m) {
+  const int coarse_steps = turn.isIdentity() ? 0 : kCoarseSteps;
+  const Vector2d coarse_m = search(coarse_steps, kCoarse_m, [&](const Vector2d& off_m) {
     return Vector2d(off_m - turn * off_m);
   });
   search(1, kFine_m, [&](const Vector2d& off_m) { return Vector2d(coarse_m + off_m); });

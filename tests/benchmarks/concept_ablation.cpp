@@ -169,7 +169,7 @@ int main(int argc, char** argv) try {
     options.sharpening_steps = steps / 5;
     options.encoder_steps = steps - options.sharpening_steps;
     options.drawer_steps = 0;
-    options.most_repairs = 0;  // so few steps do not get as far
+    options.most_repairs = 0;  // each way has the same number of steps
     Pictures varied = plain;
     std::mt19937_64 generator(seed);
     for (EncoderInput& input : varied.inputs)

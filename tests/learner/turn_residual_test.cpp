@@ -1,8 +1,10 @@
 #include "conceptplan/learner/turn_residual.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "conceptplan/domain/rendering/renderer.hpp"
@@ -70,7 +72,7 @@ TEST(TurnResidual, TakesTurnsModuloFour) {
   EXPECT_LT(residual(1), std::min({residual(0), residual(2), residual(3)}));
 }
 
-/// Nothing is told by what hides a part, nor by where the frame ends.
+/// Nothing is told by what hides a part.
 TEST(TurnResidual, AllowsForWhatIsHidden) {
   const ObjectState after = turned(kPhone, 2);
   const RgbdImage first = pictureOf(kPhone);
@@ -103,6 +105,23 @@ TEST(TurnResidual, IsLargestWhereTheObjectIsNotSeen) {
   const ObjectView view = viewOf(image, kPhone);
   EXPECT_EQ(turnResidual(view, {image, 9, view.p_WAxis}, 0, standardCamera()), 1);
   EXPECT_EQ(turnResidual({dark, 1, view.p_WAxis}, view, 0, standardCamera()), 1);
+  for (const float depth_m :
+       {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), -1.0F}) {
+    std::ranges::fill(dark.depth_m, depth_m);
+    EXPECT_EQ(turnResidual({dark, 1, view.p_WAxis}, view, 0, standardCamera()), 1) << depth_m;
+  }
+}
+
+TEST(TurnResidual, BearsPixelsOfUnknownDepth) {
+  const ObjectState after = turned(kPhone, 2);
+  RgbdImage first = pictureOf(kPhone), second = pictureOf(after);
+  const std::array<float, 4> unknown{0, -1, std::numeric_limits<float>::infinity(),
+                                     std::numeric_limits<float>::quiet_NaN()};
+  for (std::size_t i = 0; i < first.depth_m.size(); i += 7)
+    first.depth_m[i] = second.depth_m[i] = unknown[i / 7 % unknown.size()];
+  const ObjectView seen_before = viewOf(first, kPhone), seen_after = viewOf(second, after);
+  EXPECT_LT(turnResidual(seen_before, seen_after, 2, standardCamera()) + 0.1,
+            turnResidual(seen_before, seen_after, 0, standardCamera()));
 }
 
 TEST(TurnResidual, RefusesAPictureOfAnotherSize) {
@@ -110,7 +129,9 @@ TEST(TurnResidual, RefusesAPictureOfAnotherSize) {
   Camera small = standardCamera();
   small.width = 100;
   const ObjectView view = viewOf(image, kPhone);
-  EXPECT_THROW(turnResidual(view, view, 0, small), std::invalid_argument);
+  EXPECT_THAT([&] { turnResidual(view, view, 0, small); },
+              testing::ThrowsMessage<std::invalid_argument>(
+                  testing::HasSubstr("a picture of 384 x 256 is not of the camera's size")));
 }
 
 }  // namespace

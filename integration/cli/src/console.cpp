@@ -34,10 +34,11 @@ class ProgressMeter {
   void show(std::size_t done, std::size_t total, double share, std::string_view note) {
     const std::lock_guard lock(console_.mutex_);
     if (console_.quiet_) return;
-    if (!started_) {  // work that an earlier run did is no measure of speed
-      started_ = true;
+    if (!total_) shown_ = Clock::now();
+    if (total_ != total) {  // work before, of an earlier run or a lesser total, tells no speed
+      total_ = total;
       first_share_ = share;
-      start_ = shown_ = Clock::now();
+      start_ = Clock::now();
       return;
     }
     const bool last = done >= total;
@@ -76,7 +77,7 @@ class ProgressMeter {
   Console& console_;
   std::string label_;
   bool terminal_;
-  bool started_ = false;
+  std::optional<std::size_t> total_;
   bool finished_ = false;
   double first_share_ = 0;
   Clock::time_point start_;

@@ -42,9 +42,7 @@ bool trainConcepts(const Run& run, ModelManifest&) {
   };
   // 3,400 of the profile's 8,400 steps teach tokens, and take 63 % of the time.
   constexpr double kTokenStepCost = 2.5;
-  const auto phases_of = [&trainer] {
-    return Phases{trainer.tokenSteps(), kTokenStepCost, trainer.stepsInAll()};
-  };
+  const auto phases_of = [&trainer] { return Phases{trainer.tokenSteps(), kTokenStepCost}; };
   if (!runSteps(run, TrainingStage::kLearnConcepts, trainer, phases_of, describe)) return false;
   writeFileAtomically(
       run.options.model / kConceptsFile,

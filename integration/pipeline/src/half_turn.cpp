@@ -15,8 +15,10 @@ constexpr int kQuarterTurns = 4;
 constexpr double kMostResidual = 0.25;
 constexpr double kLeastGain = 0.1;
 
-/// The ROTATION symbol that most probably follows `rotate_left`, of each.
-std::vector<std::size_t> turnedLeft(const SymbolicModel& model, const SymbolBelief& belief) {
+/// The ROTATION symbol that most probably follows `rotate_left`, of each; nothing where that is not
+/// a quarter turn: four of them lead back, and two do not.
+std::optional<std::vector<std::size_t>> turnedLeft(const SymbolicModel& model,
+                                                   const SymbolBelief& belief) {
   Symbols symbols = mostProbable(belief);
   std::vector<std::size_t> next;
   for (std::size_t symbol = 0; symbol < model.cardinality()[kRotation]; ++symbol) {
@@ -25,10 +27,14 @@ std::vector<std::size_t> turnedLeft(const SymbolicModel& model, const SymbolBeli
         Action::kRotateLeft, Concept::kRotation, {model.grounding, symbols, {}});
     next.push_back(static_cast<std::size_t>(std::ranges::max_element(after) - after.begin()));
   }
+  for (std::size_t symbol = 0; symbol < next.size(); ++symbol) {
+    const std::size_t opposite = next[next[symbol]];
+    if (opposite == symbol || next[next[opposite]] != symbol) return std::nullopt;
+  }
   return next;
 }
 
-/// How often an object must be turned left until it has that symbol.
+/// How often an object must be turned left until it has that symbol; nothing if it never has.
 std::optional<int> quarterTurns(const std::vector<std::size_t>& next, std::size_t from,
                                 std::size_t to) {
   for (int turns = 0; turns < kQuarterTurns; ++turns, from = next[from])
@@ -45,9 +51,10 @@ ObjectView viewOf(const SymbolicModel& model, const BelievedObject& object) {
 
 bool isTurnedRound(const SymbolicModel& model, const BelievedObject& before,
                    const BelievedObject& after) {
-  const auto turns =
-      quarterTurns(turnedLeft(model, before.belief), index(mostProbable(before.belief)[kRotation]),
-                   index(mostProbable(after.belief)[kRotation]));
+  const auto next = turnedLeft(model, before.belief);
+  if (!next) return false;
+  const auto turns = quarterTurns(*next, index(mostProbable(before.belief)[kRotation]),
+                                  index(mostProbable(after.belief)[kRotation]));
   if (!turns) return false;
   const Camera camera = standardCamera();
   const ObjectView first = viewOf(model, before), second = viewOf(model, after);
@@ -57,10 +64,11 @@ bool isTurnedRound(const SymbolicModel& model, const BelievedObject& before,
 }
 
 SymbolBelief turnedRound(const SymbolicModel& model, SymbolBelief belief) {
-  const std::vector<std::size_t> next = turnedLeft(model, belief);
-  std::vector<double> rotations(next.size(), 0);
-  for (std::size_t symbol = 0; symbol < next.size(); ++symbol)
-    rotations[next[next[symbol]]] += belief[kRotation][symbol];
+  const auto next = turnedLeft(model, belief);
+  if (!next) return belief;
+  std::vector<double> rotations(next->size(), 0);
+  for (std::size_t symbol = 0; symbol < next->size(); ++symbol)
+    rotations[(*next)[(*next)[symbol]]] += belief[kRotation][symbol];
   belief[kRotation] = std::move(rotations);
   return belief;
 }

@@ -15,12 +15,13 @@ struct BelievedObject {
 };
 
 /// Whether two pictures of an object contradict the turn that its ROTATION symbols say, and that
-/// turn and half a turn more much less. False where the model's `rotate_left` does not lead from
-/// the first symbol to the second in quarter turns.
+/// turn and half a turn more much less. False where the model's `rotate_left` is no quarter turn,
+/// or does not lead from the first symbol to the second.
 bool isTurnedRound(const SymbolicModel& model, const BelievedObject& before,
                    const BelievedObject& after);
 
-/// The belief with each ROTATION symbol replaced by the one half a turn on.
+/// The belief with each ROTATION symbol replaced by the one half a turn on; the same where the
+/// model's `rotate_left` is no quarter turn.
 SymbolBelief turnedRound(const SymbolicModel& model, SymbolBelief belief);
 
 }  // namespace conceptplan

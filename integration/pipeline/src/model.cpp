@@ -205,6 +205,11 @@ std::vector<bool> Model::recognises(const RgbdImage& image, const Percept& perce
 }
 
 TaskReading Model::readTask(const RgbdImage& initial, const RgbdImage& goal) const {
+  for (const RgbdImage* picture : {&initial, &goal})
+    if (picture->width != kFrameWidth || picture->height != kFrameHeight)
+      throw std::invalid_argument("Model::readTask: a picture of " +
+                                  std::to_string(picture->width) + " x " +
+                                  std::to_string(picture->height) + ", expected 384 x 256");
   TaskReading read{perceive(initial), perceive(goal), {}, {}, {}};
   read.initial_recognised = recognises(initial, read.initial);
   read.goal_recognised = recognises(goal, read.goal);

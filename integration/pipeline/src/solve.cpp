@@ -162,8 +162,8 @@ Percept readPictures(const Scenario& scenario, const PictureInput& pictures, con
   for (std::size_t i = 0; i < goal.instances.size(); ++i)
     if (read.turned_round[i])
       solution.doubts.push_back("How " + nameOf(goal, i, grounding, solution) +
-                                " is turned in the goal picture was measured against the initial "
-                                "one; alone it looks turned the other way round.");
+                                " was turned between the pictures was measured by comparing them; "
+                                "in one of the two it looks turned the other way round.");
   const bool several = !scenario.targets.empty();
   try {
     if (several) {

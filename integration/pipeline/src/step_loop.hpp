@@ -15,10 +15,9 @@ namespace conceptplan::training {
 struct Phases {
   std::int64_t first;  ///< steps of the first phase
   double cost;         ///< of one of these, in steps of the second phase
-  std::int64_t steps;  ///< of both
 
-  /// The share of the time of all steps that `done` take.
-  double share(std::int64_t done) const {
+  /// The share of the time of all `steps` that `done` take.
+  double share(std::int64_t done, std::int64_t steps) const {
     const auto time = [this](std::int64_t count) {
       const auto early = static_cast<double>(std::min(count, first));
       return static_cast<double>(count) + (cost - 1) * early;
@@ -55,10 +54,10 @@ bool runSteps(const Run& run, TrainingStage stage, Trainer& trainer, const Phase
     }
     const std::string losses = describe(trainer.step());
     const std::int64_t done = trainer.stepsDone();
-    const Phases phases = phases_of();
+    const std::int64_t steps = trainer.stepsInAll();
     run.report({std::string(name(stage)), static_cast<std::size_t>(done),
-                static_cast<std::size_t>(phases.steps), losses},
-               phases.share(done));
+                static_cast<std::size_t>(steps), losses},
+               phases_of().share(done, steps));
     if (done % kLogEvery == 0)
       run.log("{\"stage\":\"" + std::string(name(stage)) + "\",\"step\":" + std::to_string(done) +
               ",\"losses\":" + losses + "}");

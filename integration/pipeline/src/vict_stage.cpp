@@ -109,7 +109,7 @@ bool trainVict(const Run& run, ModelManifest& manifest) {
   };
   constexpr double kTransitionStepCost = 0.3;  // perceptrons on tokens, against pictures
   const auto phases_of = [&] {
-    return Phases{run.profile.vict.transition_steps, kTransitionStepCost, trainer.stepsInAll()};
+    return Phases{run.profile.vict.transition_steps, kTransitionStepCost};
   };
   if (!runSteps(run, TrainingStage::kTrainVict, trainer, phases_of, describe)) return false;
   writeFileAtomically(run.options.model / kVictFile,

@@ -21,8 +21,10 @@ constexpr std::int64_t kChainImages = 1 + static_cast<std::int64_t>(kNumConcepts
 constexpr double kDeadShare = 0.2;
 /// Batches that are read to see which prototypes are dead.
 constexpr std::int64_t kUseBatches = 4;
-/// With more than this share of either kind of pairs told wrongly values share prototypes. Of eight
-/// values the pair that is hardest to tell is 1 of 28.
+/// Batches that are read to see whether pairs are told.
+constexpr std::int64_t kPairBatches = 16;
+/// With more than this share of either kind of pairs told wrongly, values share prototypes. Of
+/// eight values two that share one are 1 of 28 pairs that differ.
 constexpr double kMostWrongPairs = 0.01;
 
 /// One batch of chains.
@@ -259,25 +261,28 @@ void ConceptTrainer::revivePrototypes(std::mt19937_64& generator) {
   }
 }
 
-bool ConceptTrainer::prototypesShareValues(std::mt19937_64& generator) {
+bool ConceptTrainer::prototypesShareValues(std::mt19937_64 generator) {
   const torch::NoGradGuard no_gradient;
-  const std::int64_t chains = kUseBatches * options_.chains;
-  const ChainBatch batch = drawBatch(images_, sampler_, chains, kNoAugmentation, generator);
-  const torch::Tensor tokens = readBatch(network_, batch.images).tokens;
+  // Of each concept: pairs known to differ and to agree, and how many of either are told wrongly.
+  auto pairs = torch::zeros({static_cast<std::int64_t>(kNumConcepts), 2}), wrong = pairs.clone();
   const auto all = torch::ones({kChainImages, kChainImages}).triu(1);  // each pair once
-  return std::ranges::any_of(kConcepts, [&](Concept which) {
-    const auto values =
-        network_->prototypeLogits(tokens, which).argmax(-1).view({chains, kChainImages});
-    const auto& changed = batch.changed[index(which)];
-    const auto apart = (values.unsqueeze(1) != values.unsqueeze(2)).to(torch::kFloat);
-    const auto differ = (changed.unsqueeze(1) != changed.unsqueeze(2)) * all;
-    const auto agree = all - differ;
-    const auto share = [](const torch::Tensor& wrong, const torch::Tensor& of) {
-      return wrong.sum().item<double>() / std::max(1.0, of.sum().item<double>());
-    };
-    return share(differ * (1 - apart), differ) > kMostWrongPairs ||
-           share(agree * apart, agree) > kMostWrongPairs;
-  });
+  for (std::int64_t look = 0; look < kPairBatches; ++look) {
+    const ChainBatch batch =
+        drawBatch(images_, sampler_, options_.chains, kNoAugmentation, generator);
+    const torch::Tensor tokens = readBatch(network_, batch.images).tokens;
+    for (const Concept which : kConcepts) {
+      const auto values =
+          network_->prototypeLogits(tokens, which).argmax(-1).view({-1, kChainImages});
+      const auto& changed = batch.changed[index(which)];
+      const auto apart = (values.unsqueeze(1) != values.unsqueeze(2)).to(torch::kFloat);
+      const auto differ = (changed.unsqueeze(1) != changed.unsqueeze(2)) * all;
+      const auto agree = all - differ;
+      const auto row = static_cast<std::int64_t>(index(which));
+      pairs[row] += torch::stack({differ.sum(), agree.sum()});
+      wrong[row] += torch::stack({(differ * (1 - apart)).sum(), (agree * apart).sum()});
+    }
+  }
+  return (wrong > kMostWrongPairs * pairs).any().item<bool>();
 }
 
 ConceptLosses ConceptTrainer::drawerStep(std::mt19937_64& generator, double progress) {

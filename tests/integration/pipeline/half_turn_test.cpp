@@ -68,7 +68,14 @@ TEST_F(HalfTurn, IsFoundWhereOneOfTheTwoIsReadAsItsOpposite) {
 }
 
 TEST_F(HalfTurn, IsNotFoundWhereTheModelLeadsFromNoRotationToTheOther) {
-  EXPECT_FALSE(isTurnedRoundIf(modelThatDoesNotTurn(), "90 degrees", "0 degrees"));
+  const SymbolicModel model = modelThatDoesNotTurn();
+  EXPECT_FALSE(isTurnedRoundIf(model, "90 degrees", "0 degrees"));
+  const RgbdImage first = picture({0, 1}, 1), second = picture({2, 3}, 3);
+  const SymbolBelief before = beliefIn(model, {0, 1}, "90 degrees");
+  const SymbolBelief after = beliefIn(model, {2, 3}, "90 degrees");  // misread
+  EXPECT_TRUE(isTurnedRound(learnedModel(), {first, 1, before}, {second, 1, after}));
+  EXPECT_FALSE(isTurnedRound(model, {first, 1, before}, {second, 1, after}));
+  EXPECT_EQ(turnedRound(model, after), after);
 }
 
 TEST_F(HalfTurn, MovesTheBeliefByWhatWasLearned) {

@@ -101,6 +101,18 @@ TEST(ReadTask, ReadsLearnedObjectsAsEachPictureAlone) {
   EXPECT_EQ(read.goal_recognised, shippedModel().recognises(goal, read.goal));
 }
 
+TEST(ReadTask, RefusesAPictureOfAnotherSize) {
+  RgbdImage small;
+  small.width = small.height = 64;
+  Renderer renderer;
+  EXPECT_THAT(
+      [&] {
+        shippedModel().readTask(renderer.render(cupAndPot(), {11, {}}), small);
+      },
+      testing::ThrowsMessage<std::invalid_argument>(
+          testing::HasSubstr("a picture of 64 x 64, expected 384 x 256")));
+}
+
 TEST(Model, DrawsEveryStepOfAPlan) {
   Renderer renderer;
   const RgbdImage image = renderer.render(cupAndPot(), {11, {}});

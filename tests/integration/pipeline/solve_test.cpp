@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "conceptplan/domain/input_error.hpp"
+#include "conceptplan/domain/rendering/renderer.hpp"
 #include "conceptplan/domain/scenario/scenario_file.hpp"
 #include "conceptplan/planners/belief_planner.hpp"
 
@@ -135,6 +136,36 @@ TEST(SolveScenario, NamesObjectsThatAreGuesses) {
     }
   }
   EXPECT_GT(doubts, 0u);
+}
+
+/// A phone that is turned half around; seen alone, its front is a guess.
+TEST(SolveScenario, TellsOfATurnThatWasMeasured) {
+  Renderer renderer;
+  Scenario scenario = shipped("level1-0001");
+  scenario.target = 1;
+  scenario.reference.reset();
+  std::size_t told = 0;
+  for (int rotation = 0; rotation < 4; ++rotation)
+    for (int color = 0; color < 3; ++color) {
+      World before, after;
+      before.objects = {{ObjectType::kCellphone, {0, 1}, rotation, color, 3}};
+      after.objects = {{ObjectType::kCellphone, {2, 2}, (rotation + 2) % 4, color, 3}};
+      auto& pictures = std::get<PictureInput>(scenario.input);
+      pictures.initial = renderer.render(before, {5, {}});
+      pictures.goal = renderer.render(after, {5, {}});
+      const bool turned =
+          shippedModel().readTask(pictures.initial, pictures.goal).turned_round.front();
+      const Solution solution =
+          solveScenario(scenario, shippedModel(), BeliefPlanner(), {0, false, {}});
+      const auto sentence = testing::HasSubstr("How " + solution.names.front() +
+                                               " was turned between the pictures was measured");
+      if (turned)
+        EXPECT_THAT(solution.doubts, testing::Contains(sentence));
+      else
+        EXPECT_THAT(solution.doubts, testing::Not(testing::Contains(sentence)));
+      told += turned ? 1 : 0;
+    }
+  EXPECT_GT(told, 0u);
 }
 
 TEST(SolveScenario, RefusesOneOfSeveralTargetsThatIsHiddenInTheGoal) {

@@ -115,7 +115,9 @@ TEST_F(TrainedModel, ToldWhichStageOfAllAndWhatWasLeft) {
   // Three steps that teach tokens and one that teaches the drawer, which is a shorter one.
   ASSERT_EQ(steps.size(), 4U);
   EXPECT_EQ(steps[0].stage_number, 1);
-  EXPECT_NEAR((steps[0].left - steps[1].left) / (steps[2].left - steps[3].left), 1.8, 1e-9);
+  EXPECT_NEAR(steps[0].share, 2.5 / 8.5, 1e-9);
+  EXPECT_EQ(steps[3].share, 1);
+  EXPECT_NEAR((steps[0].left - steps[1].left) / (steps[2].left - steps[3].left), 2.5, 1e-9);
   EXPECT_GT(steps[3].left, 25);
   EXPECT_LT(steps[3].left, 35) << "concepts take most of the time";
 }

@@ -112,45 +112,45 @@ TEST(ConceptTrainer, AResumedRunEndsAsAnUninterruptedOne) {
   }
 }
 
-TEST(ConceptTrainer, TheFirstPhaseGoesOnWhereValuesShareAPrototype) {
-  const ConceptImages images = twoConcepts();
-  ConceptTrainingOptions options = smallOptions();
-  options.learning_rate = options.averaging = 0;
-  options.encoder_steps = 4;
-  options.repair_steps = 3;
-  options.most_repairs = 2;
-  options.sharpening_steps = 2;
-  ConceptTrainer trainer(images, options);
-  const ConceptNetwork network = trainer.averaged();
-  {
-    const torch::NoGradGuard no_gradient;
-    const auto& prototypes = network->prototypes(Concept::kColor);
-    prototypes.copy_(prototypes[0].clone().expand_as(prototypes));
-  }
-  trainer.startFrom(tensorsOf(*network, "concepts."), "");
-  std::vector<std::int64_t> steps_in_all;
-  std::vector<bool> drawing;
-  while (trainer.stepsDone() < trainer.stepsInAll()) {
-    drawing.push_back(trainer.step().reconstruction > 0);
-    steps_in_all.push_back(trainer.stepsInAll());
-  }
-  // The decoder joins in the second half of the first phase and of each time that it goes on.
-  EXPECT_THAT(steps_in_all, testing::ElementsAre(6, 6, 6, 6, 9, 9, 9, 12, 12, 12, 12, 12));
-  EXPECT_THAT(drawing, testing::ElementsAre(false, false, true, true, false, false, true, false,
-                                            false, true, false, false));
-}
-
-TEST(ConceptTrainer, TheFirstPhaseEndsWhereAllPairsAreTold) {
+TEST(ConceptTrainer, TheFirstPhaseGoesOnOnlyWhereValuesShareAPrototype) {
   const ConceptImages images = twoConcepts();
   ConceptTrainingOptions options = smallOptions();
   options.use_weight = 0;  // four of the concepts have but one value here
   options.reconstruction_start = 1;
+  options.averaging = 0;
   options.encoder_steps = 100;
-  options.sharpening_steps = 1;
-  options.most_repairs = 4;
-  ConceptTrainer trainer(images, options);
-  while (trainer.stepsDone() < trainer.stepsInAll()) trainer.step();
-  EXPECT_EQ(trainer.stepsDone(), 101);
+  ConceptTrainer learning(images, options);
+  while (learning.stepsDone() < learning.stepsInAll()) learning.step();
+  const ConceptNetwork told = learning.averaged();
+
+  options.learning_rate = 0;
+  options.reconstruction_start = 0.5;
+  options.encoder_steps = 4;
+  options.repair_steps = 3;
+  options.most_repairs = 2;
+  options.sharpening_steps = 2;
+  ConceptTrainer healthy(images, options);
+  healthy.startFrom(tensorsOf(*told, "concepts."), "");
+  while (healthy.stepsDone() < healthy.stepsInAll()) healthy.step();
+  EXPECT_EQ(healthy.stepsDone(), 6);
+
+  {
+    const torch::NoGradGuard no_gradient;
+    const auto& prototypes = told->prototypes(Concept::kColor);
+    prototypes.copy_(prototypes[0].clone().expand_as(prototypes));
+  }
+  ConceptTrainer merged(images, options);
+  merged.startFrom(tensorsOf(*told, "concepts."), "");
+  std::vector<std::int64_t> steps_in_all;
+  std::vector<bool> drawing;
+  while (merged.stepsDone() < merged.stepsInAll()) {
+    drawing.push_back(merged.step().reconstruction > 0);
+    steps_in_all.push_back(merged.stepsInAll());
+  }
+  EXPECT_THAT(steps_in_all, testing::ElementsAre(6, 6, 6, 6, 9, 9, 9, 12, 12, 12, 12, 12));
+  // The decoder joins in the second half of the first phase and of each time that it goes on.
+  EXPECT_THAT(drawing, testing::ElementsAre(false, false, true, true, false, false, true, false,
+                                            false, true, false, false));
 }
 
 /// The third phase alone.

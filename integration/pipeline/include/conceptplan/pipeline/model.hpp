@@ -92,12 +92,11 @@ class Model {
   /// to perceive. @throws std::invalid_argument if the percept is not of that picture.
   std::vector<bool> recognises(const RgbdImage& image, const Percept& percept) const;
 
-  /// Reads both pictures of a task. The tokens of an object like none that was learned may take its
-  /// ROTATION for the opposite one. How it was turned between the pictures shows without learning
-  /// it
-  /// (`turnResidual`): where half a turn more than its tokens say fits them much better, the goal's
-  /// belief in its ROTATION is that half turn on, by the effect that was learned of turning.
-  /// @throws std::invalid_argument if a picture is not of the standard camera's size.
+  /// Reads both pictures of a task. The tokens of an object like none that was learned may take
+  /// its ROTATION for the opposite one. How it was turned between the pictures shows without
+  /// learning (`turnResidual`): where half a turn more than its tokens say fits them much better,
+  /// the goal's belief in its ROTATION is that half turn on, by the effect that was learned of
+  /// turning. @throws std::invalid_argument if a picture is not 384 x 256.
   TaskReading readTask(const RgbdImage& initial, const RgbdImage& goal) const;
 
   /// The picture, depth and mask after each step of a plan, as ViCT predicts them, [actions].

@@ -81,7 +81,7 @@ class ConceptTrainer {
   void revivePrototypes(std::mt19937_64& generator);
   /// Whether plain training pictures show that two values share a prototype, or one value has two:
   /// pairs known to differ that are in one, or pairs known to agree that are not.
-  bool prototypesShareValues(std::mt19937_64& generator);
+  bool prototypesShareValues(std::mt19937_64 generator);
   void descend(const torch::Tensor& loss, double progress, double rate_share);
 
   const ConceptImages& images_;

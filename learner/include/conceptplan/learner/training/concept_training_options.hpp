@@ -11,8 +11,8 @@ namespace conceptplan {
 struct ConceptTrainingOptions {
   EncoderKind encoder = EncoderKind::kObjectCentred;
   std::int64_t encoder_steps = 2700;  ///< first phase: tokens, and from some step on the decoder
-  /// Where values share a prototype after the first phase, it goes on for so many steps, from the
-  /// peak of the rate again, and at most so often.
+  /// Where values share a prototype before the second phase, the first one goes on for so many
+  /// steps, with the rate's course from its beginning, and at most so often.
   std::int64_t repair_steps = 400;
   std::int64_t most_repairs = 4;
   std::int64_t sharpening_steps = 700;  ///< second phase: tokens become certain; no decoder
