@@ -182,10 +182,8 @@ ConceptLosses ConceptTrainer::step() {
   const auto progress = [this](std::int64_t begin, std::int64_t steps) {
     return static_cast<double>(steps_done_ - begin) / static_cast<double>(steps);
   };
-  if (options_.encoder_steps > 0 && steps_done_ == firstPhaseSteps() &&
-      repairs_ < options_.most_repairs && prototypesShareValues(generator))
-    ++repairs_;
-  const std::int64_t sharpening_from = firstPhaseSteps(), drawer_from = tokenSteps();
+  const std::int64_t sharpening_from = tokenSteps() - options_.sharpening_steps;
+  const std::int64_t drawer_from = tokenSteps();
   const std::int64_t course_steps = repairs_ > 0 ? options_.repair_steps : options_.encoder_steps;
   const std::int64_t settled_from = drawer_from - options_.revival_interval;
   if (options_.pair_weight > 0 && steps_done_ > 0 && steps_done_ < settled_from &&
@@ -201,6 +199,11 @@ ConceptLosses ConceptTrainer::step() {
           : drawerStep(generator, progress(drawer_from, options_.drawer_steps));
   ++steps_done_;
   updateAverage(*average_, *network_, options_.averaging, steps_done_);
+  if (options_.encoder_steps > 0 && steps_done_ == tokenSteps() &&
+      repairs_ < options_.most_repairs && prototypesShareValues(generator)) {
+    ++repairs_;
+    optimizer_.state().clear();
+  }
   return losses;
 }
 

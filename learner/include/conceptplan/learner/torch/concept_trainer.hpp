@@ -49,8 +49,11 @@ class ConceptTrainer {
   /// @pre not all steps are done
   ConceptLosses step();
   std::int64_t stepsDone() const { return steps_done_; }
-  /// Of the first two phases; more once the first one goes on for a repair.
-  std::int64_t tokenSteps() const { return firstPhaseSteps() + options_.sharpening_steps; }
+  /// Of the first two phases; more once they are taken again, for a repair.
+  std::int64_t tokenSteps() const {
+    return options_.encoder_steps + options_.sharpening_steps +
+           repairs_ * (options_.repair_steps + options_.sharpening_steps);
+  }
   std::int64_t stepsInAll() const { return tokenSteps() + options_.drawer_steps; }
 
   /// The network with the moving average of its weights; shares nothing with the one in training.
@@ -64,10 +67,6 @@ class ConceptTrainer {
   void restore(const std::string& checkpoint, const std::filesystem::path& path = "checkpoint");
 
  private:
-  std::int64_t firstPhaseSteps() const {
-    return options_.encoder_steps + repairs_ * options_.repair_steps;
-  }
-
   /// The guard, which holds the seed, lives while the networks draw their weights.
   ConceptTrainer(const ConceptImages& images, const ConceptTrainingOptions& options,
                  const GeneratorGuard& guard);
@@ -92,7 +91,7 @@ class ConceptTrainer {
   ConceptNetwork average_;
   torch::optim::AdamW optimizer_;
   std::int64_t steps_done_ = 0;
-  std::int64_t repairs_ = 0;  ///< times that the first phase went on
+  std::int64_t repairs_ = 0;  ///< times that the first two phases were taken again
 };
 
 }  // namespace conceptplan

@@ -11,8 +11,9 @@ namespace conceptplan {
 struct ConceptTrainingOptions {
   EncoderKind encoder = EncoderKind::kObjectCentred;
   std::int64_t encoder_steps = 2700;  ///< first phase: tokens, and from some step on the decoder
-  /// Where values share a prototype before the second phase, the first one goes on for so many
-  /// steps, with the rate's course from its beginning, and at most so often.
+  /// Where values share a prototype after the second phase, the first one is taken again for so
+  /// many steps, with the optimizer's averages forgotten, and the second one after it; at most so
+  /// often.
   std::int64_t repair_steps = 400;
   std::int64_t most_repairs = 4;
   std::int64_t sharpening_steps = 700;  ///< second phase: tokens become certain; no decoder
